@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: The polymesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What a user asked of a tool, from the command line and from its dictionary.
+
+#include "libpolymesh/base/label.h"
+#include "libpolymesh/geometry/vec3.h"
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace polymesh::tools {
+
+/// One option of a tool, which is also an entry of its dictionary.
+struct Option {
+    std::string name;  // without the dash
+    std::string value; // what -help calls its value; empty: a switch
+    std::string help;  // with units in brackets
+    /// Tells which command line values are meant for the tool's dictionary too.
+    bool inDictionary = true;
+};
+
+/// The options that every tool has: -case, -dict, -region, -format, -threads, -json, -quiet, ...
+const std::vector<Option>& commonOptions();
+
+/// The values that were given, each with the place it came from. The first place that gives an
+/// option wins: the command line is added before the dictionary.
+/// The typed getters throw InputError with that place when the text is not what is asked for.
+class Settings {
+public:
+    explicit Settings(std::vector<Option> options);
+
+    /// Adds a value unless the option has one. `place`: "option -cellSize" or
+    /// "system/blockInitDict:12: cellSize". Requires: `name` is one of the options.
+    void add(const std::string& name, std::string text, std::string place);
+
+    bool has(const std::string& name) const;
+
+    /// Where the option was given; "option -name" when it was not.
+    std::string place(const std::string& name) const;
+
+    /// A switch: given on the command line, or yes, on, true in the dictionary.
+    bool isOn(const std::string& name) const;
+
+    /// The text as given. Throws InputError when the option is missing.
+    const std::string& text(const std::string& name) const;
+    std::string text(const std::string& name, std::string_view otherwise) const;
+
+    /// A finite number in [least, most].
+    double number(const std::string& name,
+                  double least = std::numeric_limits<double>::lowest(),
+                  double most = std::numeric_limits<double>::max()) const;
+    double numberOr(double otherwise,
+                    const std::string& name,
+                    double least = std::numeric_limits<double>::lowest(),
+                    double most = std::numeric_limits<double>::max()) const;
+
+    /// A whole number in [least, most].
+    std::int64_t integer(const std::string& name, std::int64_t least, std::int64_t most) const;
+
+    /// Three finite numbers: "(1 2 3)" or "1 2 3".
+    Vec3 vector(const std::string& name) const;
+
+    /// `count` finite numbers; parentheses may group them in any way: "(0 0 0) (1 1 1)".
+    std::vector<double> numbers(const std::string& name, std::size_t count) const;
+
+    /// One of `words`; the message of another word names the nearest.
+    std::string word(const std::string& name,
+                     const std::vector<std::string>& words,
+                     std::string_view otherwise) const;
+
+    const std::vector<Option>& options() const { return options_; }
+
+    /// The option with this name; InputError naming the nearest one when there is none.
+    const Option& option(const std::string& name, std::string_view place) const;
+
+private:
+    struct Value {
+        std::string text;
+        std::string place;
+    };
+
+    std::vector<Option> options_;
+    std::map<std::string, Value> values_;
+};
+
+/// Reads "-name value", "--name value", "-name=value" and switches. Throws InputError for an
+/// unknown option (naming the nearest), a missing value, or a stray word.
+void addCommandLine(Settings& settings, const std::vector<std::string>& arguments);
+
+/// The text that -help prints.
+std::string helpText(std::string_view tool, std::string_view purpose, const Settings& settings);
+
+} // namespace polymesh::tools

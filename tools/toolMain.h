@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: The polymesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The frame of every tool: options, dictionary, threads, report and exit status.
+
+#include "tools/options.h"
+#include "tools/stageClock.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace polymesh::tools {
+
+enum class ExitCode : std::uint8_t { success = 0, failure = 1, usage = 2 };
+
+struct ToolDescription {
+    std::string name;    // also names the dictionary system/<name>Dict
+    std::string purpose; // one sentence for -help
+    /// Dictionary entries that are no options: the tool reads them itself.
+    std::vector<std::string> dictionaryOnly;
+};
+
+/// What a running tool is given, and what it leaves behind.
+struct ToolRun {
+    Settings settings;
+    std::filesystem::path caseDir;
+    /// The dictionary that was read; empty when there is none.
+    std::filesystem::path dictionary;
+    StageClock clock;
+    /// Written to the file of -json at the end; runTool adds stages, wallSeconds, peakMemoryBytes.
+    nlohmann::ordered_json report;
+    bool quiet = false;
+
+    /// constant/polyMesh of the case, or of the region that -region names.
+    std::filesystem::path meshDir() const;
+
+    /// `path` as it is when absolute or when it exists; else inside constant/triSurface of the
+    /// case when it exists there, so that dictionaries may name a surface by its file name alone.
+    std::filesystem::path surfaceFile(const std::string& path) const;
+
+    /// Prints one line on stdout, unless -quiet.
+    template<class... Args>
+    void say(fmt::format_string<Args...> message, Args&&... args) const {
+        if (!quiet) fmt::print("{}\n", fmt::format(message, std::forward<Args>(args)...));
+    }
+};
+
+/// Runs a tool and returns its exit status: reads the command line and the dictionary (an option
+/// of the command line wins), calls `run`, writes the report. InputError: status 2; WorkError and
+/// anything else: status 1; in both cases one line "tool: message" on stderr.
+/// `options` are the tool's own; the common ones are added.
+int runTool(int argc,
+            char** argv,
+            const ToolDescription& tool,
+            std::vector<Option> options,
+            const std::function<ExitCode(ToolRun&)>& run);
+
+} // namespace polymesh::tools

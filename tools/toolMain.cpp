@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/toolMain.h"
 
+#include "formats/fileBytes.h"
 #include "libpolymesh/base/error.h"
 #include "libpolymesh/base/parallel.h"
 
 #include <cstdio>
 #include <exception>
-#include <fstream>
 #include <new>
 #include <optional>
 #include <unistd.h>
@@ -39,20 +39,6 @@ nlohmann::ordered_json stagesOf(const StageClock& clock) {
     return stages;
 }
 
-/// Writes beside the target and renames, so that a reader never sees half a report.
-void writeReport(const fs::path& file, const nlohmann::ordered_json& report) {
-    const fs::path temporary = file.string() + fmt::format(".{}.tmp", getpid());
-    std::ofstream out(temporary);
-    out << report.dump(2) << '\n';
-    out.close();
-    std::error_code error;
-    if (out) fs::rename(temporary, file, error);
-    if (out && !error) return;
-    std::error_code ignored;
-    fs::remove(temporary, ignored);
-    throw WorkError(fmt::format("{}: cannot be written", file.string()));
-}
-
 void finishReport(ToolRun& tool, const std::string& name) {
     tool.clock.stop();
     if (!tool.settings.has("json")) return;
@@ -60,7 +46,7 @@ void finishReport(ToolRun& tool, const std::string& name) {
     tool.report["stages"] = stagesOf(tool.clock);
     tool.report["wallSeconds"] = tool.clock.seconds();
     tool.report["peakMemoryBytes"] = peakMemoryBytes();
-    writeReport(tool.settings.text("json"), tool.report);
+    writeBytes(tool.settings.text("json"), tool.report.dump(2) + "\n");
 }
 
 ToolRun prepare(const ToolDescription& tool, Settings settings) {

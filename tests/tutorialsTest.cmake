@@ -1,0 +1,28 @@
+# Runs the Allrun of CASE in the folder COPY with the tools of BIN first on the path. Fails when it
+# fails, or when its output lacks a line of expected.txt (blanks count as one, # starts a comment).
+file(REMOVE_RECURSE ${COPY})
+get_filename_component(parent ${COPY} DIRECTORY)
+file(COPY ${CASE} DESTINATION ${parent})
+set(ENV{PATH} "${BIN}:$ENV{PATH}")
+execute_process(COMMAND ${COPY}/Allrun WORKING_DIRECTORY ${COPY}
+  RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
+file(WRITE ${COPY}/log.Allrun "${output}")
+if(NOT status EQUAL 0)
+  message("${output}")
+  message(FATAL_ERROR "${CASE}/Allrun: status ${status}")
+endif()
+
+string(REGEX REPLACE "[ \t]+" " " squeezed "\n${output}\n")
+string(REGEX REPLACE "\n | \n" "\n" squeezed "${squeezed}")
+file(STRINGS ${CASE}/expected.txt expected)
+foreach(line IN LISTS expected)
+  string(REGEX REPLACE "[ \t]+" " " line "${line}")
+  string(STRIP "${line}" line)
+  if(line STREQUAL "" OR line MATCHES "^#")
+    continue()
+  endif()
+  string(FIND "${squeezed}" "\n${line}\n" place)
+  if(place LESS 0)
+    message(SEND_ERROR "the output (${COPY}/log.Allrun) has no line: ${line}")
+  endif()
+endforeach()

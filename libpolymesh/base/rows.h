@@ -38,4 +38,25 @@ struct Rows {
     bool operator==(const Rows&) const = default;
 };
 
+/// The rows of all parts, one part after the other.
+template<class T>
+Rows<T> joined(const std::vector<Rows<T>>& parts) {
+    std::size_t rowCount = 0;
+    std::size_t valueCount = 0;
+    for (const Rows<T>& part : parts) {
+        rowCount += part.offsets.size() - 1;
+        valueCount += part.values.size();
+    }
+    Rows<T> all;
+    all.offsets.reserve(rowCount + 1);
+    all.values.reserve(valueCount);
+    for (const Rows<T>& part : parts) {
+        const Label base = toLabel(all.values.size());
+        all.values.insert(all.values.end(), part.values.begin(), part.values.end());
+        for (std::size_t i = 1; i < part.offsets.size(); ++i)
+            all.offsets.push_back(base + part.offsets[i]);
+    }
+    return all;
+}
+
 } // namespace polymesh

@@ -21,9 +21,12 @@ enum class PointRank : std::uint8_t {
     fixed     // must stay: a cell outside the edited part uses it
 };
 
+/// The corners of a face.
+using Polygon = boost::container::small_vector<Label, 6>;
+
 /// A polygon between two cells or on a patch; its right-hand normal leaves `owner`.
 struct EditFace {
-    boost::container::small_vector<Label, 6> points;
+    Polygon points;
     Label owner = -1;     // -1: the face has been removed
     Label neighbour = -1; // -1: boundary
     Label patch = -1;     // -1: internal
@@ -36,7 +39,7 @@ struct EditFace {
 /// A cell of the edited part.
 struct EditCell {
     boost::container::small_vector<Label, 8> faces; // empty: the cell has been removed
-    double size = 0;   // [m] edge length of the hexahedron it came from (cube root of its volume)
+    double size = 0;     // [m] edge length of the hexahedron it came from (cube root of its volume)
     bool frozen = false; // outside the edited part: only some of its faces are here; never changed
 
     bool isRemoved() const { return faces.empty(); }

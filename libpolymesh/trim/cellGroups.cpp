@@ -1,0 +1,254 @@
+// SPDX-FileCopyrightText: The polymesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "libpolymesh/trim/cellGroups.h"
+
+#include "libpolymesh/trim/chains.h"
+
+#include <algorithm>
+#include <span>
+
+namespace polymesh {
+
+namespace {
+
+std::span<const Label> intervalsOf(const CellPieces& pieces, Label piece) {
+    return {pieces.intervals.data() + pieces.polygons.offsets[index(piece)],
+            index(pieces.polygons.rowSize(piece))};
+}
+
+Vec3 mean(const PointPositions& positions, std::span<const Label> polygon) {
+    Vec3 sum;
+    for (const Label p : polygon)
+        sum += positions[index(p)];
+    return sum / static_cast<double>(polygon.size());
+}
+
+/// Six times the volume of the cone from `apex` over the fan round the polygon's mean point.
+double cone(const PointPositions& positions, std::span<const Label> polygon, const Vec3& apex) {
+    const Vec3 centre = mean(positions, polygon) - apex;
+    double sum = 0;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Vec3 a = positions[index(polygon[i])] - apex;
+        const Vec3 b = positions[index(polygon[(i + 1) % polygon.size()])] - apex;
+        sum += dot(centre, cross(a, b));
+    }
+    return sum;
+}
+
+/// The same for polygons with the same points, in whatever order they are.
+std::uint64_t fingerprint(std::span<const Label> polygon) {
+    std::uint64_t sum = 0;
+    for (const Label p : polygon) {
+        std::uint64_t h = static_cast<std::uint64_t>(p) + 0x9e3779b97f4a7c15U;
+        h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9U;
+        h = (h ^ (h >> 27)) * 0x94d049bb133111ebU;
+        sum += h ^ (h >> 31);
+    }
+    return sum;
+}
+
+} // namespace
+
+Label CellGroups::root(Label piece) {
+    while (parent_[index(piece)] != piece) {
+        parent_[index(piece)] = parent_[index(parent_[index(piece)])];
+        piece = parent_[index(piece)];
+    }
+    return piece;
+}
+
+void CellGroups::build(const CellInput& input, Label cell, const EdgeTest& isBorder) {
+    cell_ = cell;
+    firstPiece_ = input.pieces.offsets[index(cell)];
+    pieceCount_ = input.pieces.offsets[index(cell) + 1] - firstPiece_;
+    joinPieces(input, isBorder);
+    listOutlines(input);
+    walkOutlines(input);
+}
+
+void CellGroups::joinPieces(const CellInput& input, const EdgeTest& isBorder) {
+    parent_.resize(index(pieceCount_));
+    entries_.clear();
+    for (Label i = 0; i < pieceCount_; ++i) {
+        parent_[index(i)] = i;
+        for (const Label interval : intervalsOf(input.pieces, firstPiece_ + i))
+            if (interval >= 0) entries_.push_back({interval, i});
+    }
+    std::ranges::sort(entries_, [](const Entry& a, const Entry& b) {
+        return a.interval != b.interval ? a.interval < b.interval : a.piece < b.piece;
+    });
+    for (std::size_t k = 0; k + 1 < entries_.size(); ++k) {
+        if (entries_[k].interval != entries_[k + 1].interval) continue;
+        if (isBorder(input.edgeOfInterval[index(entries_[k].interval)])) continue;
+        const Label a = root(entries_[k].piece);
+        const Label b = root(entries_[k + 1].piece);
+        parent_[index(std::max(a, b))] = std::min(a, b);
+    }
+}
+
+void CellGroups::listOutlines(const CellInput& input) {
+    edges_.clear();
+    borderEnds_.clear();
+    const auto otherGroup = [&](Label interval, Label piece) {
+        auto k = std::ranges::lower_bound(entries_, interval, {}, &Entry::interval);
+        for (; k != entries_.end() && k->interval == interval; ++k)
+            if (k->piece != piece) return root(k->piece);
+        return Label{-1};
+    };
+    for (Label i = 0; i < pieceCount_; ++i) {
+        const auto points = input.pieces.polygons[firstPiece_ + i];
+        const auto intervals = intervalsOf(input.pieces, firstPiece_ + i);
+        const Label group = root(i);
+        for (std::size_t k = 0; k < points.size(); ++k) {
+            const Label to = points[(k + 1) % points.size()];
+            if (intervals[k] >= 0) {
+                if (otherGroup(intervals[k], i) == group) continue;
+                borderEnds_.push_back(points[k]);
+                borderEnds_.push_back(to);
+            }
+            edges_.push_back({group, points[k], to, false});
+        }
+    }
+    std::ranges::sort(edges_, [](const OutlineEdge& a, const OutlineEdge& b) {
+        return a.group != b.group ? a.group < b.group : a.from < b.from;
+    });
+}
+
+void CellGroups::walkOutlines(const CellInput& input) {
+    faces_.clear();
+    faceOfPiece_.assign(index(pieceCount_), -1);
+    areDiscs_ = true;
+    Label lastGroup = -1;
+    for (std::size_t k = 0; k < edges_.size(); ++k) {
+        if (k > 0 && edges_[k].group == edges_[k - 1].group && edges_[k].from == edges_[k - 1].from)
+            areDiscs_ = false;
+        if (edges_[k].isUsed) continue;
+        const Label group = edges_[k].group;
+        Face face;
+        face.region = input.cutter.surface->region[index(input.pieces.triangle[index(firstPiece_ + group)])];
+        std::size_t at = k;
+        while (!edges_[at].isUsed) {
+            edges_[at].isUsed = true;
+            face.points.push_back(edges_[at].from);
+            const Label to = edges_[at].to;
+            auto next = std::lower_bound(edges_.begin(), edges_.end(), to,
+                                         [group](const OutlineEdge& e, Label point) {
+                                             return e.group != group ? e.group < group : e.from < point;
+                                         });
+            while (next + 1 != edges_.end() && next->isUsed && (next + 1)->group == group &&
+                   (next + 1)->from == to)
+                ++next;
+            if (next == edges_.end()) break; // only where areDiscs_ is false already
+            at = static_cast<std::size_t>(next - edges_.begin());
+        }
+        if (group == lastGroup) areDiscs_ = false; // a second outline
+        lastGroup = group;
+        faceOfPiece_[index(group)] = toLabel(faces_.size());
+        faces_.push_back(std::move(face));
+    }
+    for (Label i = 0; i < pieceCount_; ++i) {
+        faceOfPiece_[index(i)] = faceOfPiece_[index(root(i))];
+        if (faceOfPiece_[index(i)] < 0) areDiscs_ = false; // closed: no outline at all
+    }
+}
+
+void CellGroups::keepVertices(const CellInput& input, double tolerance) {
+    const Label firstVertex = input.arrangement.firstVertex();
+    std::vector<Label> seen;
+    for (const Face& face : faces_)
+        for (const Label p : face.points)
+            if (p >= firstVertex) seen.push_back(p);
+    std::ranges::sort(seen);
+    keptVertices_.clear();
+    for (std::size_t i = 0; i < seen.size();) {
+        std::size_t j = i;
+        while (j < seen.size() && seen[j] == seen[i])
+            ++j;
+        if (j - i != 2) keptVertices_.push_back(seen[i]); // more than two faces meet
+        i = j;
+    }
+    for (const Face& face : faces_) {
+        const auto isKept = [&](std::size_t i) {
+            return face.points[i] < firstVertex ||
+                   std::ranges::binary_search(keptVertices_, face.points[i]);
+        };
+        const auto keep = [&](std::size_t i) {
+            if (face.points[i] >= firstVertex)
+                keptVertices_.insert(std::ranges::lower_bound(keptVertices_, face.points[i]),
+                                     face.points[i]);
+        };
+        keepWithin(input.positions,
+                   std::span<const Label>(face.points.data(), face.points.size()),
+                   tolerance,
+                   isKept,
+                   keep);
+    }
+}
+
+void CellGroups::reduce(const CellInput& input, double tolerance, const PointTest& isKept) {
+    const Label firstVertex = input.arrangement.firstVertex();
+    const auto drop = [](LoopPolygon& points, auto&& isDropped) {
+        points.erase(std::remove_if(points.begin(), points.end(), isDropped), points.end());
+    };
+    for (Face& face : faces_)
+        drop(face.points, [&](Label p) { return p < firstVertex && !isKept(p); });
+    keepVertices(input, tolerance);
+    for (Face& face : faces_)
+        drop(face.points, [&](Label p) {
+            return p >= firstVertex && !std::ranges::binary_search(keptVertices_, p);
+        });
+}
+
+bool CellGroups::isValid(const CellInput& input,
+                         const FaceLoops& loops,
+                         const PointTest& isKept) const {
+    std::vector<std::uint64_t> seen;
+    double volume = 0;
+    Vec3 apex;
+    const auto add = [&](std::span<const Label> polygon, double direction) {
+        if (polygon.size() < 3) return false;
+        if (seen.empty()) apex = input.positions[index(polygon[0])];
+        seen.push_back(fingerprint(polygon));
+        volume += direction * cone(input.positions, polygon, apex);
+        return true;
+    };
+    LoopPolygon polygon;
+    for (const Label f : input.probe.cellFaces[cell_]) {
+        const double direction = input.probe.faceCells[index(f)][0] == cell_ ? 1 : -1;
+        for (Label k = loops.offsets[index(f)]; k < loops.offsets[index(f) + 1]; ++k) {
+            polygon.clear();
+            for (const Label p : loops.polygons[k])
+                if (isKept(p)) polygon.push_back(p);
+            if (!add(std::span<const Label>(polygon.data(), polygon.size()), direction)) return false;
+        }
+    }
+    for (const Face& face : faces_)
+        if (!add(std::span<const Label>(face.points.data(), face.points.size()), 1)) return false;
+    std::ranges::sort(seen);
+    return seen.size() >= 4 && volume > 0 && std::ranges::adjacent_find(seen) == seen.end();
+}
+
+double CellGroups::deviation(const CellInput& input) const {
+    double largest = 0;
+    for (Label i = 0; i < pieceCount_; ++i) {
+        const Label f = faceOfPiece_[index(i)];
+        if (f < 0) continue;
+        const LoopPolygon& face = faces_[index(f)].points;
+        const Vec3 centre = mean(input.positions, std::span<const Label>(face.data(), face.size()));
+        for (const Label p : input.pieces.polygons[firstPiece_ + i]) {
+            if (std::ranges::find(face, p) != face.end()) continue;
+            const Vec3& at = input.positions[index(p)];
+            double distance = Box::inf;
+            for (std::size_t k = 0; k < face.size(); ++k)
+                distance = std::min(distance,
+                                    distanceToTriangle(at,
+                                                       input.positions[index(face[k])],
+                                                       input.positions[index(face[(k + 1) % face.size()])],
+                                                       centre));
+            largest = std::max(largest, distance);
+        }
+    }
+    return largest;
+}
+
+} // namespace polymesh

@@ -1,0 +1,290 @@
+// SPDX-FileCopyrightText: The polymesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "libpolymesh/trim/probe.h"
+
+#include "libpolymesh/base/parallel.h"
+#include "libpolymesh/geometry/predicates.h"
+#include "libpolymesh/trim/triangleBins.h"
+
+#include <boost/container/small_vector.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace polymesh {
+
+namespace {
+
+using Range = TriangleBins::Range;
+using Polygon = boost::container::small_vector<Vec3, 8>;
+
+/// Whether the triangle's plane misses the box by more than rounding can hide.
+bool planeMisses(const TriSurface& surface, Label triangle, const Box& box) {
+    const Vec3& a = surface.corner(triangle, 0);
+    const Vec3 n = cross(surface.corner(triangle, 1) - a, surface.corner(triangle, 2) - a);
+    const Vec3 half = 0.5 * box.size();
+    const Vec3 toCentre = box.centre() - a;
+    const double reach =
+        std::abs(n.x) * half.x + std::abs(n.y) * half.y + std::abs(n.z) * half.z;
+    const double scale = std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
+    const double slack = 1e-9 * scale * (norm(toCentre) + norm(half));
+    return std::abs(dot(n, toCentre)) > reach + slack;
+}
+
+/// Mean edge length of a cell, the wish for the size of bins.
+double meanCellSize(const PolyMesh& mesh) {
+    const Vec3 size = boundingBox(mesh.points).size();
+    const double volume = std::max(size.x * size.y * size.z, 1e-300);
+    return std::cbrt(volume / std::max<double>(1, static_cast<double>(mesh.cellCount)));
+}
+
+/// Cells whose range of bins holds a triangle: 1, else 0.
+std::vector<std::uint8_t> findNearCells(const PolyMesh& mesh,
+                                        const TriangleBins& bins,
+                                        std::vector<Range>& cellRanges) {
+    std::vector<TriangleBins::Index> binOf(mesh.points.size());
+    parallelFor(mesh.pointCount(),
+                [&](Label p) { binOf[index(p)] = bins.binOf(mesh.points[index(p)]); });
+    cellRanges.assign(index(mesh.cellCount), Range{});
+    for (Label f = 0; f < mesh.faceCount(); ++f) {
+        Range range;
+        for (const Label p : mesh.faces[f])
+            range.add(binOf[index(p)]);
+        cellRanges[index(mesh.owner[index(f)])].add(range);
+        if (mesh.isInternal(f)) cellRanges[index(mesh.neighbour[index(f)])].add(range);
+    }
+    std::vector<std::uint8_t> isNear(index(mesh.cellCount));
+    parallelFor(mesh.cellCount, [&](Label c) {
+        isNear[index(c)] = bins.isOccupied(cellRanges[index(c)]) ? 1 : 0;
+    });
+    return isNear;
+}
+
+/// Numbers the cells marked and lists their faces.
+void addCells(const PolyMesh& mesh, const std::vector<std::uint8_t>& marked, Probe& probe) {
+    probe.cells.clear();
+    probe.localCell.assign(index(mesh.cellCount), -1);
+    for (Label c = 0; c < mesh.cellCount; ++c)
+        if (marked[index(c)] != 0) {
+            probe.localCell[index(c)] = probe.cellCount();
+            probe.cells.push_back(c);
+        }
+    probe.faces.clear();
+    probe.faceCells.clear();
+    for (Label f = 0; f < mesh.faceCount(); ++f) {
+        const Label own = probe.localCell[index(mesh.owner[index(f)])];
+        const Label other =
+            mesh.isInternal(f) ? probe.localCell[index(mesh.neighbour[index(f)])] : -1;
+        if (own < 0 && other < 0) continue;
+        probe.faces.push_back(f);
+        probe.faceCells.push_back({own, other});
+    }
+    auto& offsets = probe.cellFaces.offsets;
+    offsets.assign(index(probe.cellCount()) + 1, 0);
+    for (const auto& cells : probe.faceCells)
+        for (const Label c : cells)
+            if (c >= 0) ++offsets[index(c) + 1];
+    for (std::size_t c = 1; c < offsets.size(); ++c)
+        offsets[c] += offsets[c - 1];
+    probe.cellFaces.values.resize(index(offsets.back()));
+    std::vector<Label> next(offsets.begin(), offsets.end() - 1);
+    for (Label f = 0; f < probe.faceCount(); ++f)
+        for (const Label c : probe.faceCells[index(f)])
+            if (c >= 0) probe.cellFaces.values[index(next[index(c)]++)] = f;
+}
+
+Box cellBox(const PolyMesh& mesh, const Probe& probe, Label cell) {
+    Box box;
+    for (const Label f : probe.cellFaces[cell])
+        for (const Label p : mesh.faces[probe.faces[index(f)]])
+            box.add(mesh.points[index(p)]);
+    return box;
+}
+
+/// The triangles that may touch each cell of the probe.
+Rows<Label> findTriangles(const PolyMesh& mesh,
+                          const TriSurface& surface,
+                          const std::vector<Box>& triangleBoxes,
+                          const TriangleBins& bins,
+                          const std::vector<Range>& cellRanges,
+                          const Probe& probe) {
+    constexpr Label block = 512;
+    const Label blocks = (probe.cellCount() + block - 1) / block;
+    std::vector<Rows<Label>> parts(index(blocks));
+    parallelBlocks(probe.cellCount(), block, [&](Label b, Label first, Label last) {
+        std::vector<Label> found;
+        for (Label c = first; c < last; ++c) {
+            found.clear();
+            bins.collect(cellRanges[index(probe.cells[index(c)])], found);
+            const Box box = cellBox(mesh, probe, c);
+            std::erase_if(found, [&](Label t) {
+                return !overlaps(triangleBoxes[index(t)], box) || planeMisses(surface, t, box);
+            });
+            parts[index(b)].add(found);
+        }
+    });
+    return joined(parts);
+}
+
+void numberNodes(const PolyMesh& mesh, Probe& probe) {
+    std::vector<Label> local(mesh.points.size(), -1);
+    probe.faceNodes.offsets.reserve(probe.faces.size() + 1);
+    for (const Label f : probe.faces)
+        for (const Label p : mesh.faces[f])
+            local[index(p)] = 0;
+    for (std::size_t p = 0; p < local.size(); ++p)
+        if (local[p] == 0) {
+            local[p] = toLabel(probe.nodes.size());
+            probe.nodes.push_back(toLabel(p));
+            probe.nodePoints.push_back(mesh.points[p]);
+        }
+    for (const Label f : probe.faces) {
+        for (const Label p : mesh.faces[f])
+            probe.faceNodes.values.push_back(local[index(p)]);
+        probe.faceNodes.offsets.push_back(toLabel(probe.faceNodes.values.size()));
+    }
+}
+
+/// Whether any triangle of the face's cell comes near the face: else it is not cut.
+bool mayBeCut(const Probe& probe, const std::vector<Box>& triangleBoxes, Label face, const Box& box) {
+    const auto& cells = probe.faceCells[index(face)];
+    const Label cell = cells[0] >= 0 ? cells[0] : cells[1];
+    return std::ranges::any_of(probe.triangles[cell], [&](Label t) {
+        return overlaps(triangleBoxes[index(t)], box);
+    });
+}
+
+/// Whether the face must be cut into a fan: 1, else 0.
+std::vector<std::uint8_t> findFans(const Probe& probe, const std::vector<Box>& triangleBoxes) {
+    std::vector<std::uint8_t> isFan(probe.faces.size(), 0);
+    parallelFor(probe.faceCount(), [&](Label f) {
+        Polygon polygon;
+        for (const Label n : probe.faceNodes[f])
+            polygon.push_back(probe.nodePoints[index(n)]);
+        if (isPlanarConvex(std::span<const Vec3>(polygon.data(), polygon.size()))) return;
+        const Box box = boundingBox(std::span<const Vec3>(polygon.data(), polygon.size()));
+        isFan[index(f)] = mayBeCut(probe, triangleBoxes, f, box) ? 1 : 0;
+    });
+    return isFan;
+}
+
+void addFacets(const std::vector<std::uint8_t>& isFan, Probe& probe) {
+    probe.facetOffsets.assign(1, 0);
+    for (Label f = 0; f < probe.faceCount(); ++f) {
+        const auto nodes = probe.faceNodes[f];
+        if (isFan[index(f)] == 0) {
+            probe.facetNodes.add(std::span<const Label>(nodes.data(), nodes.size()));
+            probe.facetFace.push_back(f);
+        } else {
+            Vec3 centre;
+            for (const Label n : nodes)
+                centre += probe.nodePoints[index(n)];
+            const Label c = probe.nodeCount();
+            probe.nodePoints.push_back(centre / static_cast<double>(nodes.size()));
+            for (std::size_t i = 0; i < nodes.size(); ++i) {
+                const std::array<Label, 3> triangle{nodes[i], nodes[(i + 1) % nodes.size()], c};
+                probe.facetNodes.add(triangle);
+                probe.facetFace.push_back(f);
+            }
+        }
+        probe.facetOffsets.push_back(probe.facetCount());
+    }
+}
+
+/// Numbers the edges of all facets in the order of their lower node, then their higher one.
+void numberEdges(Probe& probe) {
+    const auto& corners = probe.facetNodes;
+    struct Use {
+        Label high;
+        Label corner;
+    };
+    Rows<Use> uses; // by lower node
+    uses.offsets.assign(index(probe.nodeCount()) + 1, 0);
+    std::vector<Label> nextNode(corners.values.size());
+    for (Label f = 0; f < corners.size(); ++f) {
+        const Label first = corners.offsets[index(f)];
+        const Label last = corners.offsets[index(f) + 1];
+        for (Label i = first; i < last; ++i) {
+            const Label other = corners.values[index(i + 1 < last ? i + 1 : first)];
+            nextNode[index(i)] = other;
+            ++uses.offsets[index(std::min(corners.values[index(i)], other)) + 1];
+        }
+    }
+    for (std::size_t n = 1; n < uses.offsets.size(); ++n)
+        uses.offsets[n] += uses.offsets[n - 1];
+    uses.values.resize(corners.values.size());
+    std::vector<Label> next(uses.offsets.begin(), uses.offsets.end() - 1);
+    for (std::size_t i = 0; i < corners.values.size(); ++i) {
+        const Label a = corners.values[i];
+        const Label b = nextNode[i];
+        uses.values[index(next[index(std::min(a, b))]++)] = {std::max(a, b), toLabel(i)};
+    }
+    parallelFor(probe.nodeCount(), [&](Label n) {
+        std::ranges::sort(uses[n], [](const Use& a, const Use& b) {
+            return a.high != b.high ? a.high < b.high : a.corner < b.corner;
+        });
+    });
+    probe.facetEdges.resize(corners.values.size());
+    for (Label n = 0; n < probe.nodeCount(); ++n) {
+        Label previous = -1;
+        for (const Use& use : uses[n]) {
+            if (use.high != previous) probe.edges.push_back({n, use.high});
+            previous = use.high;
+            probe.facetEdges[index(use.corner)] = probe.edgeCount() - 1;
+        }
+    }
+}
+
+void finishEdges(const std::vector<std::uint8_t>& isFan, Probe& probe) {
+    probe.edgeCell.assign(probe.edges.size(), -1);
+    probe.isFanEdge.assign(probe.edges.size(), 0);
+    probe.faceEdges.resize(probe.faceNodes.values.size());
+    for (Label f = 0; f < probe.faceCount(); ++f) {
+        const auto& cells = probe.faceCells[index(f)];
+        const Label cell = cells[0] >= 0 ? cells[0] : cells[1];
+        const Label firstNode = probe.faceNodes.offsets[index(f)];
+        for (Label k = probe.facetOffsets[index(f)]; k < probe.facetOffsets[index(f) + 1]; ++k) {
+            const Label corner = probe.facetNodes.offsets[index(k)];
+            for (Label i = 0; i < probe.facetNodes.rowSize(k); ++i) {
+                const Label e = probe.facetEdges[index(corner + i)];
+                if (probe.edgeCell[index(e)] < 0) probe.edgeCell[index(e)] = cell;
+                if (isFan[index(f)] != 0 && i > 0)
+                    probe.isFanEdge[index(e)] = 1;
+                else
+                    probe.faceEdges[index(firstNode + (isFan[index(f)] != 0
+                                                           ? k - probe.facetOffsets[index(f)]
+                                                           : i))] = e;
+            }
+        }
+    }
+}
+
+} // namespace
+
+Probe buildProbe(const PolyMesh& mesh,
+                 const TriSurface& surface,
+                 const std::vector<Box>& triangleBoxes) {
+    const TriangleBins bins(surface, meanCellSize(mesh));
+    std::vector<Range> cellRanges;
+    std::vector<std::uint8_t> isNear = findNearCells(mesh, bins, cellRanges);
+    Probe probe;
+    addCells(mesh, isNear, probe);
+    Rows<Label> triangles =
+        findTriangles(mesh, surface, triangleBoxes, bins, cellRanges, probe);
+    for (Label c = 0; c < probe.cellCount(); ++c)
+        if (triangles.rowSize(c) == 0) isNear[index(probe.cells[index(c)])] = 0;
+    addCells(mesh, isNear, probe);
+    for (Label c = 0; c < triangles.size(); ++c)
+        if (triangles.rowSize(c) != 0)
+            probe.triangles.offsets.push_back(probe.triangles.offsets.back() +
+                                              triangles.rowSize(c));
+    probe.triangles.values = std::move(triangles.values); // empty rows held none
+    numberNodes(mesh, probe);
+    const std::vector<std::uint8_t> isFan = findFans(probe, triangleBoxes);
+    addFacets(isFan, probe);
+    numberEdges(probe);
+    finishEdges(isFan, probe);
+    return probe;
+}
+
+} // namespace polymesh

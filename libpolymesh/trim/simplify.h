@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: The polymesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "libpolymesh/trim/loops.h"
+#include "libpolymesh/trim/pieces.h"
+
+#include <vector>
+
+namespace polymesh {
+
+/// How much of the surface a cell keeps.
+struct Fidelity {
+    /// Largest distance between the surface and what is kept of it, as a fraction of the cell size;
+    /// 0 keeps all that is not exactly flat.
+    double deviation = 0;
+    /// Per surface edge: the angle between the normals of its triangles [rad], more than pi between
+    /// two regions, -1 where the four points lie exactly in one plane.
+    std::vector<double> sharpness;
+    double featureAngle = 0; // [rad] sharper edges are kept always
+};
+
+/// The surface in each cell as polygons: the boundary faces to be.
+struct BoundaryPolygons {
+    Rows<Label> polygons;       // point labels, normals out of the domain
+    std::vector<Label> region;  // one per polygon
+    std::vector<Label> offsets; // local cell -> its polygons
+};
+
+/// Joins the pieces of each cell across edges that need not be kept, drops the points that this
+/// leaves between two faces, here and in the polygons of `loops`, and returns the joined faces.
+///
+/// A decision about a pierce is taken once for the two cells that share it, so that cells stay
+/// closed. Where joining would make an invalid cell (a face that is not a disc or has fewer than
+/// three points, two faces with the same points, fewer than four faces, no volume) or would miss the
+/// surface by more than the deviation, more is kept in that cell, up to everything.
+/// Source: paper, section 2.3 (reconstruction from node information); the deviation test is ours.
+BoundaryPolygons simplify(const Probe& probe,
+                          const CuttingSurface& cutter,
+                          const Arrangement& arrangement,
+                          const PointPositions& positions,
+                          const CellPieces& pieces,
+                          const std::vector<double>& cellSizes,
+                          const Fidelity& fidelity,
+                          FaceLoops& loops);
+
+} // namespace polymesh

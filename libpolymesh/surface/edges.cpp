@@ -4,8 +4,9 @@
 
 #include "libpolymesh/base/error.h"
 #include "libpolymesh/base/parallel.h"
+#include "libpolymesh/geometry/predicates.h"
+#include "libpolymesh/surface/coplanar.h"
 #include "libpolymesh/surface/edgeUses.h"
-#include "libpolymesh/surface/exactSigns.h"
 
 #include <algorithm>
 
@@ -41,7 +42,7 @@ private:
 
     /// 0 at the reference, 1 up to half a turn, 2 at half a turn, 3 beyond.
     int sector(const Vec3& p) const {
-        const int side = orientation(lower_, upper_, reference_, p);
+        const int side = orient3d(lower_, upper_, reference_, p);
         if (side != 0) return side > 0 ? 1 : 3;
         return sideOfLine(lower_, upper_, reference_, p) > 0 ? 0 : 2;
     }
@@ -50,7 +51,7 @@ private:
         const int sectorA = sector(apex(a));
         const int sectorB = sector(apex(b));
         if (sectorA != sectorB) return sectorA < sectorB;
-        const int turn = orientation(lower_, upper_, apex(a), apex(b));
+        const int turn = orient3d(lower_, upper_, apex(a), apex(b));
         if (turn != 0) return turn > 0;
         if (a.ascending != b.ascending) return a.ascending;
         return a.triangle < b.triangle;

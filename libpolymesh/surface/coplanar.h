@@ -4,12 +4,11 @@
 
 #include "libpolymesh/geometry/vec3.h"
 
+#include <array>
+
 namespace polymesh {
 
-/// Exact signs that surfaces need (CGAL's filtered predicates; thread-safe).
-
-/// Sign of ((b - a) x (c - a)) . (d - a): +1 when d is on the side the normal of abc points to.
-int orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+/// Questions about points in one plane, answered exactly.
 
 /// True when a, b and c lie on one line (or coincide).
 bool areCollinear(const Vec3& a, const Vec3& b, const Vec3& c);
@@ -17,5 +16,8 @@ bool areCollinear(const Vec3& a, const Vec3& b, const Vec3& c);
 /// For coplanar points, a, b and c not collinear: +1 when c and d are on the same side of the line
 /// ab, -1 when on opposite sides, 0 when d is on the line.
 int sideOfLine(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+
+/// True when p lies on the triangle, border included. False for triangles without area.
+bool isOnTriangle(const std::array<Vec3, 3>& triangle, const Vec3& p);
 
 } // namespace polymesh

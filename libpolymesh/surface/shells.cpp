@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: The polymesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "libpolymesh/surface/shells.h"
+
+#include "libpolymesh/geometry/predicates.h"
+#include "libpolymesh/surface/components.h"
+#include "libpolymesh/surface/coplanar.h"
+#include "libpolymesh/surface/triangleBoxes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+namespace polymesh {
+
+namespace {
+
+/// Disjoint sets of labels.
+class Groups {
+public:
+    explicit Groups(Label count) : parent_(index(count)) {
+        std::iota(parent_.begin(), parent_.end(), Label{0});
+    }
+
+    Label find(Label label) {
+        while (parent_[index(label)] != label)
+            label = parent_[index(label)] = parent_[index(parent_[index(label)])];
+        return label;
+    }
+
+    /// The lower label stands for the joint group.
+    void join(Label a, Label b) {
+        a = find(a);
+        b = find(b);
+        parent_[index(std::max(a, b))] = std::min(a, b);
+    }
+
+private:
+    std::vector<Label> parent_;
+};
+
+/// Which components have sides that they do not close themselves: joins those that meet there, and
+/// marks those that leave a gap.
+class Closing {
+public:
+    explicit Closing(const Components& components)
+        : components_(components), groups_(components.count), isOpen_(index(components.count), 0) {
+        for (std::size_t c = 0; c < isOpen_.size(); ++c)
+            isOpen_[c] = components.isOrientable[c] != 0 ? 0 : 1;
+    }
+
+    void addEdge(std::span<const EdgeUse> edge) {
+        excess_.clear();
+        int total = 0;
+        for (const EdgeUse& use : edge) {
+            const int sign = use.ascending ? 1 : -1;
+            excess_[components_.ofTriangle[index(use.triangle)]] += sign;
+            total += sign;
+        }
+        Label first = -1;
+        for (const auto& [component, excess] : excess_) {
+            if (excess == 0) continue;
+            if (first >= 0) groups_.join(first, component);
+            if (total != 0) isOpen_[index(component)] = 1;
+            first = component;
+        }
+    }
+
+    /// One row per closed group: its triangles. `openParts` gets the number of other groups.
+    Rows<Label> closedGroups(Label& openParts) {
+        std::vector<char> isOpenGroup(isOpen_.size(), 0);
+        for (Label c = 0; c < components_.count; ++c)
+            if (isOpen_[index(c)] != 0) isOpenGroup[index(groups_.find(c))] = 1;
+        std::vector<Label> shellOf(isOpen_.size(), -1);
+        Label count = 0;
+        openParts = 0;
+        for (Label c = 0; c < components_.count; ++c) {
+            if (groups_.find(c) != c) continue;
+            if (isOpenGroup[index(c)] != 0)
+                ++openParts;
+            else
+                shellOf[index(c)] = count++;
+        }
+        std::vector<std::vector<Label>> members(index(count));
+        for (Label t = 0; t < toLabel(components_.ofTriangle.size()); ++t) {
+            const Label shell = shellOf[index(groups_.find(components_.ofTriangle[index(t)]))];
+            if (shell >= 0) members[index(shell)].push_back(t);
+        }
+        Rows<Label> rows;
+        for (const auto& row : members)
+            rows.add(row);
+        return rows;
+    }
+
+private:
+    const Components& components_;
+    Groups groups_;
+    std::vector<char> isOpen_;
+    std::map<Label, int> excess_; // of the edge at hand: component -> uses up minus down
+};
+
+void addExtremes(const Vec3& p, std::array<Vec3, 6>& extreme) {
+    for (int axis = 0; axis < 3; ++axis) {
+        auto& low = extreme[static_cast<std::size_t>(2 * axis)];
+        auto& high = extreme[static_cast<std::size_t>(2 * axis + 1)];
+        if (p[axis] < low[axis]) low = p;
+        if (p[axis] > high[axis]) high = p;
+    }
+}
+
+int findOrientation(const TriSurface& surface,
+                    std::span<const Label> triangles,
+                    const Vec3& middle) {
+    long double volume = 0;
+    long double size = 0;
+    for (Label t : triangles) {
+        const Vec3 a = surface.corner(t, 0) - middle;
+        const double term =
+            dot(a, cross(surface.corner(t, 1) - middle, surface.corner(t, 2) - middle));
+        volume += term;
+        size += std::abs(term);
+    }
+    constexpr long double rounding = 1e-14L;
+    if (std::abs(volume) <= rounding * size) return 0;
+    return volume > 0 ? 1 : -1;
+}
+
+std::array<Vec3, 3> cornersOf(const TriSurface& surface, Label t) {
+    return {surface.corner(t, 0), surface.corner(t, 1), surface.corner(t, 2)};
+}
+
+bool isOnShell(const TriSurface& surface, std::span<const Label> triangles, const Vec3& p) {
+    return std::ranges::any_of(triangles, [&](Label t) {
+        return triangleBox(surface, t).contains(p) && isOnTriangle(cornersOf(surface, t), p);
+    });
+}
+
+/// True when the vertical line from p up to q crosses the triangle.
+bool isCrossed(const std::array<Vec3, 3>& t, const Vec3& p, const Vec3& q) {
+    if (sideOfTriangle(t, p).sign == sideOfTriangle(t, q).sign) return false;
+    const int side = passingSide(p, q, t[0], t[1]).sign;
+    return passingSide(p, q, t[1], t[2]).sign == side && passingSide(p, q, t[2], t[0]).sign == side;
+}
+
+bool isInShell(const TriSurface& surface,
+               std::span<const Label> triangles,
+               const Box& box,
+               const Vec3& p) {
+    const Vec3 q{p.x, p.y, box.max.z + box.size().z + 1};
+    const Box line{p, q};
+    bool inside = false;
+    for (Label t : triangles)
+        if (overlaps(triangleBox(surface, t), line) && isCrossed(cornersOf(surface, t), p, q))
+            inside = !inside;
+    return inside;
+}
+
+bool contains(const Box& outer, const Box& inner) {
+    return outer.contains(inner.min) && outer.contains(inner.max);
+}
+
+} // namespace
+
+Shells findShells(const TriSurface& surface) {
+    const Rows<EdgeUse> uses = collectEdgeUses(surface);
+    const Components components = findComponents(surface, uses);
+    Closing closing(components);
+    for (Label lower = 0; lower < uses.size(); ++lower)
+        forEachEdge(uses[lower], [&](std::span<const EdgeUse> edge) {
+            const bool isPlain = edge.size() == 2 && edge[0].ascending != edge[1].ascending;
+            if (!isPlain) closing.addEdge(edge);
+        });
+    Shells shells;
+    shells.triangles = closing.closedGroups(shells.openParts);
+    for (Label shell = 0; shell < shells.count(); ++shell) {
+        const auto triangles = shells.triangles[shell];
+        Box box;
+        std::array<Vec3, 6> extreme;
+        extreme.fill(surface.corner(triangles.front(), 0));
+        for (Label t : triangles) {
+            box.add(triangleBox(surface, t));
+            for (const Vec3& p : cornersOf(surface, t))
+                addExtremes(p, extreme);
+        }
+        shells.box.push_back(box);
+        shells.extreme.push_back(extreme);
+        shells.orientation.push_back(findOrientation(surface, triangles, box.centre()));
+    }
+    return shells;
+}
+
+bool isInside(const TriSurface& surface, const Shells& shells, Label inner, Label outer) {
+    const Box& box = shells.box[index(outer)];
+    if (!contains(box, shells.box[index(inner)])) return false;
+    const auto triangles = shells.triangles[outer];
+    bool known = false;
+    for (const Vec3& p : shells.extreme[index(inner)]) {
+        if (isOnShell(surface, triangles, p)) continue;
+        if (!isInShell(surface, triangles, box, p)) return false;
+        known = true;
+    }
+    return known;
+}
+
+} // namespace polymesh

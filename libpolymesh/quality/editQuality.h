@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: The polymesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "libpolymesh/quality/meshEditor.h"
+
+#include <span>
+#include <vector>
+
+namespace polymesh {
+
+/// How bad a group of cells is. `failures` counts what OpenFOAM's checkMesh fails by default (wrong
+/// face pyramids, non-orthogonality from 90 deg, skewness over 4, volume not positive, aspect ratio
+/// over 1000); `severity` adds up how far measures are beyond limits somewhat stricter than those,
+/// so that it is 0 for healthy cells.
+struct Badness {
+    Label failures = 0;
+    double severity = 0;
+
+    bool operator==(const Badness&) const = default;
+};
+
+/// True when a change from `before` to `after` does no harm: no more failures, and either nothing
+/// beyond the strict limits or no more of it.
+bool isNoWorse(const Badness& after, const Badness& before);
+
+/// True when a change makes things better: fewer failures, or as many and clearly less severe.
+bool isBetter(const Badness& after, const Badness& before);
+
+/// The badness of the cells and of all their faces, each face once. Frozen and removed cells are
+/// passed over, and of their faces only the sides of edited cells count.
+Badness badnessOf(MeshEditor& editor, std::span<const Label> cells);
+
+/// The cells that have a face in common with the given ones, and these: ascending, no frozen ones.
+std::vector<Label> withNeighbours(const MeshEditor& editor, std::span<const Label> cells);
+
+} // namespace polymesh

@@ -62,6 +62,18 @@ Defects checkRanges(const PolyMesh& mesh) {
         defects.push_back(
             {0, -1, fmt::format("{} neighbours for {} faces", mesh.neighbour.size(), faces)});
     if (mesh.cellCount < 0) defects.push_back({0, -1, fmt::format("{} cells", mesh.cellCount)});
+    for (const Patch& patch : mesh.patches)
+        if (patch.size < 0 || patch.start < mesh.internalFaceCount() || patch.size > faces ||
+            patch.start > faces - patch.size)
+            defects.push_back({0,
+                               toLabel(static_cast<std::size_t>(&patch - mesh.patches.data())),
+                               fmt::format("patch {} has {} faces from face {}; boundary faces are "
+                                           "{} to {}",
+                                           patch.name,
+                                           patch.size,
+                                           patch.start,
+                                           mesh.internalFaceCount(),
+                                           faces)});
     if (!defects.empty()) return defects;
 
     collect(faces, defects, [&](Label face, Defects& found) {
@@ -287,6 +299,10 @@ void checkPointUse(const PolyMesh& mesh, Defects& defects) {
 }
 
 } // namespace
+
+std::vector<Defect> validateRanges(const PolyMesh& mesh) {
+    return checkRanges(mesh);
+}
 
 std::vector<Defect> validate(const PolyMesh& mesh) {
     Defects defects = checkRanges(mesh);

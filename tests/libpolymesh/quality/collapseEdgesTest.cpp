@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: The polymesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "libpolymesh/quality/collapseEdges.h"
+
+#include "editMeshes.h"
+#include "libpolymesh/quality/editQuality.h"
+#include "libpolymesh/quality/validateEdit.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+namespace polymesh {
+
+namespace {
+
+using Defects = std::vector<std::string>;
+
+Label shortEdges(const EditMesh& mesh, double limit) {
+    Label count = 0;
+    for (const EditFace& face : mesh.faces)
+        for (std::size_t i = 0; !face.isRemoved() && i < face.points.size(); ++i) {
+            const Label p = face.points[i];
+            const Label q = face.points[(i + 1) % face.points.size()];
+            count += norm(mesh.points[index(p)] - mesh.points[index(q)]) < limit;
+        }
+    return count;
+}
+
+Badness totalBadness(EditMesh& mesh) {
+    MeshEditor editor(mesh);
+    std::vector<Label> all(mesh.cells.size());
+    std::iota(all.begin(), all.end(), 0);
+    return badnessOf(editor, all);
+}
+
+TEST(CollapseShortEdges, removesTheShortEdgesOfCutsNearPoints) {
+    const std::vector<Vec3> normals{
+        {1, 0, 0}, {1, 0.013, 0}, {1, 1, 0.02}, {1, 1, 1}, {1, -0.5, 0.25}};
+    for (const Vec3& normal : normals)
+        for (const double distance : {2.01, 2.02, 2.03}) {
+            EditMesh mesh = test::boxOfHexes({4, 4, 4}, 1.0);
+            test::cutByPlane(mesh, normal, distance, 6);
+            const double volume = test::totalVolume(mesh);
+            const Badness before = totalBadness(mesh);
+            const Label shortBefore = shortEdges(mesh, 0.05);
+            const Label collapsed = collapseShortEdges(mesh, 0.05);
+            EXPECT_EQ(validateEdit(mesh), Defects());
+            EXPECT_GE(collapsed, 1);
+            EXPECT_LT(shortEdges(mesh, 0.05), shortBefore) << normal.y << ' ' << distance;
+            EXPECT_NEAR(test::totalVolume(mesh), volume, 0.05 * 16);
+            EXPECT_TRUE(isNoWorse(totalBadness(mesh), before));
+        }
+}
+
+TEST(CollapseShortEdges, isOffAtZero) {
+    EditMesh mesh = test::boxOfHexes({2, 2, 2}, 1.0);
+    test::cutByPlane(mesh, {1, 1, 1}, 3.001, 6);
+    EXPECT_EQ(collapseShortEdges(mesh, 0), 0);
+}
+
+TEST(CollapseShortEdges, neverMovesACornerOrAFixedPoint) {
+    EditMesh mesh = test::boxOfHexes({3, 3, 3}, 1.0);
+    test::cutByPlane(mesh, {1, 0.7, 0.4}, 3.03, 6);
+    for (std::size_t p = 0; p < mesh.points.size(); p += 2)
+        if (mesh.ranks[p] == PointRank::surface) mesh.ranks[p] = PointRank::fixed;
+    const std::vector<PointRank> ranks = mesh.ranks;
+    std::vector<bool> used(mesh.points.size(), false);
+    const auto markUsed = [&](std::vector<bool>& flags) {
+        for (const EditFace& face : mesh.faces)
+            if (!face.isRemoved())
+                for (const Label p : face.points)
+                    flags[index(p)] = true;
+    };
+    markUsed(used);
+    collapseShortEdges(mesh, 0.3);
+    std::vector<bool> usedAfter(mesh.points.size(), false);
+    markUsed(usedAfter);
+    for (std::size_t p = 0; p < used.size(); ++p) {
+        if (used[p] && ranks[p] >= PointRank::corner) {
+            EXPECT_TRUE(usedAfter[p]);
+        }
+    }
+}
+
+TEST(CollapseShortEdges, letsACellVanish) {
+    // A small corner of a cell is a tetrahedron with three short edges: it goes as a whole.
+    EditMesh mesh = test::boxOfHexes({2, 2, 2}, 1.0);
+    test::cutByPlane(mesh, {1, 1, 1}, 3.04, 6);
+    const Label cells = test::liveCells(mesh);
+    EXPECT_GT(collapseShortEdges(mesh, 0.1), 0);
+    EXPECT_EQ(validateEdit(mesh), Defects());
+    EXPECT_LT(test::liveCells(mesh), cells);
+    EXPECT_EQ(shortEdges(mesh, 0.1), 0);
+}
+
+} // namespace
+
+} // namespace polymesh

@@ -86,6 +86,10 @@ bool Settings::has(const std::string& name) const {
     return values_.contains(name);
 }
 
+bool Settings::isOption(const std::string& name) const {
+    return has(name) && place(name).starts_with("option ");
+}
+
 std::string Settings::place(const std::string& name) const {
     const auto found = values_.find(name);
     return found == values_.end() ? "option -" + name : found->second.place;
@@ -237,17 +241,19 @@ void addCommandLine(Settings& settings, const std::vector<std::string>& argument
 }
 
 std::string helpText(std::string_view tool, std::string_view purpose, const Settings& settings) {
-    std::string text = fmt::format("{}: {}\n\nOptions\n", tool, purpose);
+    std::string own = fmt::format("Options, also entries of system/{}Dict (options win)\n", tool);
+    std::string common = "Options of every tool\n";
     for (const Option& option : settings.options()) {
-        const std::string head =
-            "-" + option.name + (option.value.empty() ? "" : " ") + option.value;
-        text += fmt::format("  {:<24} {}\n", head, option.help);
+        const std::string value = option.value.empty() ? "" : " " + option.value;
+        (option.inDictionary ? own : common) +=
+            fmt::format("  {:<24} {}\n", "-" + option.name + value, option.help);
     }
-    return text +
-           fmt::format("\nOptions of the first group are entries of system/{}Dict too; "
-                       "the command line wins.\nExit status: 0 done, 1 the work failed or a check "
-                       "did not pass, 2 wrong usage or bad input.\n",
-                       tool);
+    return fmt::format("{}: {}\n\n{}\n{}\nExit status: 0 done, 1 the work failed or a check did "
+                       "not pass, 2 wrong usage or bad input.\n",
+                       tool,
+                       purpose,
+                       own,
+                       common);
 }
 
 } // namespace polymesh::tools

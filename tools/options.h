@@ -42,6 +42,9 @@ public:
 
     bool has(const std::string& name) const;
 
+    /// Whether the command line gives it (and not the dictionary).
+    bool isOption(const std::string& name) const;
+
     /// Where the option was given; "option -name" when it was not.
     std::string place(const std::string& name) const;
 

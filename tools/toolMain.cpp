@@ -99,6 +99,20 @@ fs::path ToolRun::surfaceFile(const std::string& path) const {
     return fs::exists(inCase) ? inCase : fs::path(path);
 }
 
+foam::WriteFormat ToolRun::writeFormat() const {
+    const std::string name =
+        settings.word("format", {"ascii", "binary", "ascii.gz", "binary.gz"}, "binary");
+    return {.format = name.starts_with("ascii") ? foam::Format::ascii : foam::Format::binary,
+            .compress = name.ends_with(".gz")};
+}
+
+std::uintmax_t bytesIn(const fs::path& directory) {
+    std::uintmax_t bytes = 0;
+    for (const auto& entry : fs::directory_iterator(directory))
+        if (entry.is_regular_file()) bytes += entry.file_size();
+    return bytes;
+}
+
 int runTool(int argc,
             char** argv,
             const ToolDescription& tool,

@@ -4,6 +4,7 @@
 
 // The frame of every tool: options, dictionary, threads, report and exit status.
 
+#include "formats/foam/writeFormat.h"
 #include "tools/options.h"
 #include "tools/stageClock.h"
 
@@ -41,6 +42,9 @@ struct ToolRun {
     /// constant/polyMesh of the case, or of the region that -region names.
     std::filesystem::path meshDir() const;
 
+    /// How to write the mesh: as -format says, else as system/controlDict does, else binary.
+    foam::WriteFormat writeFormat() const;
+
     /// `path` as it is when absolute or when it exists; else inside constant/triSurface of the
     /// case when it exists there, so that dictionaries may name a surface by its file name alone.
     std::filesystem::path surfaceFile(const std::string& path) const;
@@ -51,6 +55,9 @@ struct ToolRun {
         if (!quiet) fmt::print("{}\n", fmt::format(message, std::forward<Args>(args)...));
     }
 };
+
+/// The size of all files of a directory together [byte].
+std::uintmax_t bytesIn(const std::filesystem::path& directory);
 
 /// Runs a tool and returns its exit status: reads the command line and the dictionary (an option
 /// of the command line wins), calls `run`, writes the report. InputError: status 2; WorkError and

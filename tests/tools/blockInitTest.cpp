@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: The polymesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/foam/polyMeshIo.h"
+#include "libpolymesh/initial/cartesian.h"
+#include "tests/tools/program.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+namespace polymesh::tools {
+
+namespace {
+
+constexpr const char* tetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
+                                    "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+constexpr const char* unitBox = "blockInit -box '(0 0 0) (1 2 3)' -cells '(2 3 4)'";
+
+} // namespace
+
+TEST(BlockInit, writesTheBoxThatIsGiven) {
+    const TemporaryCase box;
+    const ProgramResult result = box.run(unitBox);
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(foam::readPolyMesh(box.dir() / "constant/polyMesh"),
+              cartesianMesh({{{0, 0, 0}, {1, 2, 3}}, {2, 3, 4}}));
+}
+
+TEST(BlockInit, putsABoxRoundASurface) {
+    const TemporaryCase box;
+    box.write("constant/triSurface/part.obj", tetrahedron);
+    EXPECT_EQ(box.run("blockInit -surface part.obj -cellSize 0.25").status, 0);
+    const PolyMesh mesh = foam::readPolyMesh(box.dir() / "constant/polyMesh");
+    EXPECT_EQ(mesh, cartesianMesh(boxAround({{0, 0, 0}, {1, 1, 1}}, 0.25, defaultMargin(0.25))));
+}
+
+TEST(BlockInit, reportsInJson) {
+    const TemporaryCase box;
+    EXPECT_EQ(box.run(std::string(unitBox) + " -json report.json -quiet").out, "");
+    const auto report = nlohmann::json::parse(box.read("report.json"));
+    EXPECT_EQ(report["cells"], 24);
+    EXPECT_GT(report["peakMemoryBytes"], 100000);
+    EXPECT_GE(report["wallSeconds"], report["stages"][0]["seconds"]);
+}
+
+TEST(BlockInit, writesTheSameBytesWithAnyNumberOfThreads) {
+    const TemporaryCase box;
+    const std::string command = "blockInit -box '0 0 0 1 1 1' -cells '(50 60 70)' -threads ";
+    for (const char* format : {"binary", "ascii"}) {
+        const std::string sum =
+            std::string(" -quiet -format ") + format + " && cat constant/polyMesh/* | cksum";
+        const ProgramResult one = box.run(command + "1" + sum);
+        EXPECT_EQ(one.status, 0) << one.err;
+        EXPECT_EQ(one.out, box.run(command + "2" + sum).out);
+        EXPECT_EQ(one.out, box.run(command + "8" + sum).out);
+    }
+}
+
+TEST(BlockInit, wrongUseIsStatus2WithOneLineAndKeepsTheOldMesh) {
+    const TemporaryCase box;
+    box.write("notASurface.stl", "nonsense");
+    ASSERT_EQ(box.run(unitBox).status, 0);
+    const PolyMesh old = foam::readPolyMesh(box.dir() / "constant/polyMesh");
+    for (const char* command : {"blockInit",
+                                "blockInit -surface missing.stl -cellSize 1",
+                                "blockInit -surface notASurface.stl -cellSize 1",
+                                "blockInit -box '(0 0 0) (1 1 1)'",
+                                "blockInit -box '(0 0 0) (1 1 0)' -cells '(1 1 1)'",
+                                "blockInit -box '(0 0 0) (1 1 1)' -cells '(1 1 0)'",
+                                "blockInit -box '(0 0 0) (1 1 1)' -cells '(1 1 1.5)'",
+                                "blockInit -box '(0 0 0) (1 1 1)' -cells '(1e9 1e9 1e9)'",
+                                "blockInit -case nowhere -box '0 0 0 1 1 1' -cells '1 1 1'",
+                                "blockInit -box '0 0 0 1 1 1' -cells '1 1 1' -format asci",
+                                "blockInit -box '0 0 0 1 1 1' -cells '1 1 1' -threads 0",
+                                "blockInit -cels '(1 1 1)'"}) {
+        const ProgramResult result = box.run(command);
+        EXPECT_EQ(result.status, 2) << command;
+        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+        EXPECT_TRUE(result.err.starts_with("blockInit: ")) << result.err;
+    }
+    EXPECT_EQ(foam::readPolyMesh(box.dir() / "constant/polyMesh"), old);
+}
+
+TEST(BlockInit, fullDiskIsStatus1) {
+    const TemporaryCase box;
+    const ProgramResult result = box.run(std::string(unitBox) + " -json /dev/full/x");
+    EXPECT_EQ(result.status, 1);
+    EXPECT_TRUE(result.err.starts_with("blockInit: ")) << result.err;
+    EXPECT_EQ(box.run(std::string(unitBox) + " > /dev/full").status, 1);
+}
+
+} // namespace polymesh::tools

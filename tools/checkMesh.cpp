@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: The polymesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// checkMesh: constant/polyMesh -> report as OpenFOAM's checkMesh, sets of the offenders.
+
+#include "formats/foam/polyMeshIo.h"
+#include "libpolymesh/quality/checks.h"
+#include "tools/checkReport.h"
+#include "tools/toolMain.h"
+
+namespace polymesh::tools {
+
+namespace {
+
+const ToolDescription description{
+    "checkMesh",
+    "checks topology and quality of the mesh by OpenFOAM's definitions and limits",
+    {}};
+
+const std::vector<Option> options{
+    {"allTopology", "", "check edges of cells and shared points of faces too"},
+    {"allGeometry", "", "check tetrahedra, edges, flatness, determinants, weights and ratios too"},
+    {"noSets", "", "do not write the offenders to constant/polyMesh/sets"}};
+
+ExitCode run(ToolRun& tool) {
+    const CheckOptions checkOptions{.allTopology = tool.settings.isOn("allTopology"),
+                                    .allGeometry = tool.settings.isOn("allGeometry")};
+    tool.clock.start("read");
+    const PolyMesh mesh = foam::readPolyMesh(tool.meshDir());
+    tool.clock.start("check");
+    const MeshReport report = checkMesh(mesh, checkOptions);
+    tool.report.update(reportJson(mesh, report));
+    tool.say("{}", reportText(mesh, report, 6));
+    tool.say("{}\n", verdictText(report));
+    return report.isOk() ? ExitCode::success : ExitCode::failure;
+}
+
+} // namespace
+
+} // namespace polymesh::tools
+
+int main(int argc, char** argv) {
+    using namespace polymesh::tools;
+    return runTool(argc, argv, description, options, run);
+}

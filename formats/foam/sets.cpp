@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: The polymesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/foam/sets.h"
+
+#include "formats/foam/listReader.h"
+#include "formats/foam/listWriter.h"
+
+#include <algorithm>
+#include <system_error>
+#include <unistd.h>
+
+namespace polymesh::foam {
+namespace {
+
+namespace fs = std::filesystem;
+
+const char* classOf(SetKind kind) {
+    switch (kind) {
+    case SetKind::point:
+        return "pointSet";
+    case SetKind::face:
+        return "faceSet";
+    case SetKind::cell:
+        break;
+    }
+    return "cellSet";
+}
+
+} // namespace
+
+void writeSet(const fs::path& polyMeshDirectory,
+              SetKind kind,
+              const std::string& name,
+              std::span<const Label> labels) {
+    const fs::path path = polyMeshDirectory / "sets" / name;
+    const fs::path temporary = path.parent_path() / fmt::format(".{}.new.{}", name, ::getpid());
+    std::error_code why;
+    fs::create_directories(path.parent_path(), why);
+    try {
+        OutputFile file(temporary, path, false);
+        writeHeader(file, {classOf(kind), name, "constant/polyMesh/sets", ""}, Format::ascii);
+        writeLabels(file, Format::ascii, labels);
+        file.close();
+        fs::rename(temporary, path, why);
+        if (why)
+            throw WorkError(fmt::format("{}: cannot be written: {}", path.string(), why.message()));
+    } catch (...) {
+        fs::remove(temporary, why);
+        throw;
+    }
+}
+
+std::vector<Label>
+readSet(const fs::path& polyMeshDirectory, SetKind kind, const std::string& name) {
+    FoamReader reader(polyMeshDirectory / "sets" / name);
+    if (reader.header().className != classOf(kind))
+        reader.failInFile("class '{}': expected {}", reader.header().className, classOf(kind));
+    std::vector<Label> labels = readLabelText(reader, 1);
+    std::ranges::sort(labels);
+    const auto repeated = std::ranges::unique(labels);
+    labels.erase(repeated.begin(), repeated.end());
+    return labels;
+}
+
+} // namespace polymesh::foam

@@ -208,7 +208,7 @@ Label separateParts(MeshEditor& editor, Label c) {
     for (std::size_t i = 1; i < faces.size(); ++i) {
         const std::size_t root = sets.root(i);
         if (root == i) {
-            cellOf[i] = editor.addCell(editor.cell(c).size);
+            cellOf[i] = editor.addPartOf(c);
             ++added;
         }
         if (cellOf[root] != c) editor.giveFace(faces[i], c, cellOf[root]);

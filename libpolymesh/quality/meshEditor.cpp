@@ -73,9 +73,11 @@ Label MeshEditor::addPoint(const Vec3& position, PointRank rank) {
     return toLabel(mesh_.points.size()) - 1;
 }
 
-Label MeshEditor::addCell(double size) {
-    mesh_.cells.emplace_back();
-    mesh_.cells.back().size = size;
+Label MeshEditor::addPartOf(Label cell) {
+    EditCell part;
+    part.size = mesh_.cells[index(cell)].size;
+    part.origin = mesh_.cells[index(cell)].origin;
+    mesh_.cells.push_back(part);
     cellGeometry_.emplace_back();
     cellKnown_.push_back(0);
     return cellCount() - 1;

@@ -53,7 +53,8 @@ public:
     }
 
     Label addPoint(const Vec3& position, PointRank rank);
-    Label addCell(double size);
+    /// Adds a cell without faces that is a part of another: of the same size and origin.
+    Label addPartOf(Label cell);
     Label addFace(const EditFace& value);
 
     /// Gives a face new corners, sides or patch; a value without owner removes the face.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editMeshes.h"
 
-#include "libpolymesh/quality/meshEditor.h"
+#include "libpolymesh/quality/mergeCells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -289,6 +289,27 @@ void cutByPlane(EditMesh& mesh, const Vec3& normal, double distance, Label patch
         if (!mesh.cells[c].isRemoved()) ordered.push_back(above[c]);
     removeCells(mesh, patch, [&](const Vec3&) { return ordered[next++]; });
     rankPoints(mesh);
+}
+
+void rejoinPieces(EditMesh& mesh) {
+    MeshEditor editor(mesh);
+    const auto hexOf = [&](Label c) {
+        const Vec3 centre = editor.cellGeometry(c).centre;
+        return std::array{std::floor(centre.x), std::floor(centre.y), std::floor(centre.z)};
+    };
+    std::vector<std::array<double, 3>> hexes(mesh.cells.size());
+    for (Label c = 0; c < editor.cellCount(); ++c)
+        if (!editor.cell(c).isRemoved()) hexes[index(c)] = hexOf(c);
+    for (int pass = 0; pass < 8; ++pass)
+        for (Label c = editor.cellCount() - 1; c >= 0; --c) {
+            if (editor.cell(c).isRemoved()) continue;
+            for (const MergePartner& partner : mergePartners(editor, c)) {
+                if (hexes[index(partner.cell)] != hexes[index(c)]) continue;
+                const MeshEditor::Mark mark = editor.mark();
+                if (mergeCells(editor, c, partner.cell)) break;
+                editor.undoTo(mark);
+            }
+        }
 }
 
 double totalVolume(EditMesh& mesh) {

@@ -27,6 +27,10 @@ void rankPoints(EditMesh& mesh);
 /// splitByPlane, then removeCells above the plane, then rankPoints.
 void cutByPlane(EditMesh& mesh, const Vec3& normal, double distance, Label patch);
 
+/// Merges the pieces of each hexahedron of a box with edges of 1 into one cell again, convex or
+/// not.
+void rejoinPieces(EditMesh& mesh);
+
 /// Sum of the volumes of all cells that are not frozen [m^3].
 double totalVolume(EditMesh& mesh);
 

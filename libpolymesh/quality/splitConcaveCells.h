@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: The polymesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "libpolymesh/quality/meshEditor.h"
+
+#include <vector>
+
+namespace polymesh {
+
+/// An edge of a cell at which it is concave: the angle inside, between the faces f and g, is larger
+/// than 180 degrees by `excess` [rad].
+struct ReflexEdge {
+    Label low = -1;
+    Label high = -1;
+    Label f = -1;
+    Label g = -1;
+    double excess = 0;
+};
+
+/// The edges of a cell with an excess over `tolerance` [rad], the largest excess first.
+std::vector<ReflexEdge> reflexEdges(MeshEditor& editor, Label cell, double tolerance);
+
+/// What splitConcaveCells did.
+struct SplitCounts {
+    Label concave = 0; // cells with reflex edges that checkMesh would fail
+    Label cuts = 0;    // cuts made: each adds a cell
+    Label left = 0;    // cells that still fail
+};
+
+/// Cuts cells that are concave and fail for it (wrong face pyramids, skewness or non-orthogonality
+/// at one of their faces) at their reflex edges with an excess over `tolerance` [rad], into pieces
+/// that are better than the whole; the pieces again where they need it. The faces that a cut
+/// crosses are cut for both cells that share them. Cost: a look at each cell, some tens of
+/// microseconds for a cell to cut. Reference: the paper, section 3.2, with planes in place of its
+/// face criteria.
+SplitCounts splitConcaveCells(EditMesh& mesh, double tolerance);
+SplitCounts splitConcaveCells(MeshEditor& editor, double tolerance);
+
+/// The best cut of a cell at one of its reflex edges, made if it leaves the cells round it better.
+/// Returns the new cell, or -1.
+Label cutAtReflexEdge(MeshEditor& editor, Label cell, double tolerance);
+
+} // namespace polymesh

@@ -139,6 +139,17 @@ void collectEdgeUses(const EditMesh& mesh, Label cell, std::vector<EdgeUse>& use
     });
 }
 
+std::vector<Label> cellsOfPoint(const MeshEditor& editor, Label p) {
+    std::vector<Label> cells;
+    for (const Label f : editor.facesOfPoint(p)) {
+        cells.push_back(editor.face(f).owner);
+        if (editor.face(f).neighbour >= 0) cells.push_back(editor.face(f).neighbour);
+    }
+    std::sort(cells.begin(), cells.end());
+    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+    return cells;
+}
+
 CellShape cellShape(const EditMesh& mesh, Label cell) {
     thread_local std::vector<EdgeUse> uses;
     thread_local std::vector<Label> points;

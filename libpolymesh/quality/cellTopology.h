@@ -21,6 +21,9 @@ struct EdgeUse {
 /// sort.
 void collectEdgeUses(const EditMesh& mesh, Label cell, std::vector<EdgeUse>& uses);
 
+/// The cells that use a point, frozen ones too: ascending.
+std::vector<Label> cellsOfPoint(const MeshEditor& editor, Label p);
+
 /// What the faces of a cell enclose.
 enum class CellShape : std::uint8_t {
     ball,   // closed, in one piece, every edge between two faces, no holes, at least 4 faces

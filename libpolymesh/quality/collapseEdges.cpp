@@ -105,17 +105,6 @@ EdgeKind edgeKind(MeshEditor& editor, Label a, Label b) {
     return kind;
 }
 
-std::vector<Label> cellsRound(const MeshEditor& editor, Label p) {
-    std::vector<Label> cells;
-    for (const Label f : editor.facesOfPoint(p)) {
-        cells.push_back(editor.face(f).owner);
-        if (editor.face(f).neighbour >= 0) cells.push_back(editor.face(f).neighbour);
-    }
-    std::sort(cells.begin(), cells.end());
-    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-    return cells;
-}
-
 } // namespace
 
 bool mayCollapse(MeshEditor& editor, Label from, Label to) {
@@ -131,7 +120,7 @@ bool collapseEdge(MeshEditor& editor, Label from, Label to) {
         const Polygon& polygon = editor.face(f).points;
         if (hasPoint(polygon, to) && !hasEdge(polygon, from, to)) return false;
     }
-    const std::vector<Label> cells = cellsRound(editor, from);
+    const std::vector<Label> cells = cellsOfPoint(editor, from);
     return replacePoint(editor, from, to) == 0 && allBalls(editor, cells);
 }
 
@@ -141,7 +130,7 @@ Label collapseBestWay(MeshEditor& editor, Label a, Label b) {
     for (const Label from : {a, b}) {
         const Label to = from == a ? b : a;
         if (!mayCollapse(editor, from, to)) continue;
-        const std::vector<Label> cells = cellsRound(editor, from);
+        const std::vector<Label> cells = cellsOfPoint(editor, from);
         const Badness before = badnessOf(editor, cells);
         const MeshEditor::Mark mark = editor.mark();
         if (collapseEdge(editor, from, to)) {

@@ -57,17 +57,6 @@ std::optional<Spike> findSpike(const EditMesh& mesh, Label f) {
     return std::nullopt;
 }
 
-std::vector<Label> cellsOfPoint(const MeshEditor& editor, Label p) {
-    std::vector<Label> cells;
-    for (const Label f : editor.facesOfPoint(p)) {
-        cells.push_back(editor.face(f).owner);
-        if (editor.face(f).neighbour >= 0) cells.push_back(editor.face(f).neighbour);
-    }
-    std::sort(cells.begin(), cells.end());
-    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-    return cells;
-}
-
 /// Makes two points with the same place one: the one of the lower rank goes.
 bool joinPoints(MeshEditor& editor, Label a, Label b) {
     const Label gone = editor.rank(a) <= editor.rank(b) ? a : b;

@@ -173,16 +173,6 @@ std::string Settings::word(const std::string& name,
     return given;
 }
 
-const Option& Settings::option(const std::string& name, std::string_view place) const {
-    const auto found = std::find_if(
-        options_.begin(), options_.end(), [&](const Option& o) { return o.name == name; });
-    require(found != options_.end(),
-            "{}: unknown; the nearest is '{}' (-help lists all)",
-            place,
-            didYouMean(options_, name));
-    return *found;
-}
-
 namespace {
 
 po::options_description describe(const Settings& settings) {
@@ -237,6 +227,49 @@ void addCommandLine(Settings& settings, const std::vector<std::string>& argument
         throwUnknown(settings, error.get_option_name());
     } catch (const po::error& error) {
         throw InputError(fmt::format("{} (-help lists the options)", error.what()));
+    }
+}
+
+namespace {
+
+/// The value as it would be given on the command line.
+std::string textOf(const foam::Value& value, std::string_view place) {
+    using Kind = foam::Value::Kind;
+    require(value.kind != Kind::dictionary, "{}: expected a value, found a dictionary", place);
+    if (value.kind != Kind::list) return value.text;
+    std::string text = "(";
+    for (const foam::Value& item : value.items)
+        text += (text.size() > 1 ? " " : "") + textOf(item, place);
+    return text + ")";
+}
+
+std::string textOf(const foam::Entry& entry, const Option& option, std::string_view place) {
+    require(!entry.dictionary, "{}: expected a value, found a dictionary", place);
+    std::string text;
+    for (const foam::Value& value : entry.values)
+        text += (text.empty() ? "" : " ") + textOf(value, place);
+    require(!text.empty(), "{}: its value ({}) is missing", place, option.value);
+    return text;
+}
+
+} // namespace
+
+void addDictionary(Settings& settings,
+                   const foam::Dictionary& dictionary,
+                   const std::vector<std::string>& others) {
+    std::vector<std::string> known = others;
+    for (const Option& option : settings.options())
+        if (option.inDictionary) known.push_back(option.name);
+    for (const foam::Entry& entry : dictionary.entries()) {
+        const std::string& key = entry.key;
+        if (key == "FoamFile" || std::ranges::find(others, key) != others.end()) continue;
+        const std::string place = fmt::format("{}: {}", entry.place.text(), key);
+        const auto option = std::ranges::find(settings.options(), key, &Option::name);
+        require(option != settings.options().end() && option->inDictionary,
+                "{}: unknown entry; the nearest is {} (-help lists all)",
+                place,
+                nearestWord(key, known));
+        settings.add(key, textOf(entry, *option, place), place);
     }
 }
 

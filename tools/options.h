@@ -4,6 +4,7 @@
 
 // What a user asked of a tool, from the command line and from its dictionary.
 
+#include "formats/foam/dictionary.h"
 #include "libpolymesh/base/label.h"
 #include "libpolymesh/geometry/vec3.h"
 
@@ -19,11 +20,10 @@ namespace polymesh::tools {
 
 /// One option of a tool, which is also an entry of its dictionary.
 struct Option {
-    std::string name;  // without the dash
-    std::string value; // what -help calls its value; empty: a switch
-    std::string help;  // with units in brackets
-    /// Tells which command line values are meant for the tool's dictionary too.
-    bool inDictionary = true;
+    std::string name;         // without the dash
+    std::string value;        // what -help calls its value; empty: a switch
+    std::string help;         // with units in brackets
+    bool inDictionary = true; // may be an entry of the tool's dictionary
 };
 
 /// The options that every tool has: -case, -dict, -region, -format, -threads, -json, -quiet, ...
@@ -80,9 +80,6 @@ public:
 
     const std::vector<Option>& options() const { return options_; }
 
-    /// The option with this name; InputError naming the nearest one when there is none.
-    const Option& option(const std::string& name, std::string_view place) const;
-
 private:
     struct Value {
         std::string text;
@@ -96,6 +93,13 @@ private:
 /// Reads "-name value", "--name value", "-name=value" and switches. Throws InputError for an
 /// unknown option (naming the nearest), a missing value, or a stray word.
 void addCommandLine(Settings& settings, const std::vector<std::string>& arguments);
+
+/// Adds the entries of a tool's dictionary: every option that may be one, by its own name.
+/// Throws InputError with file and line for any other entry, naming the nearest, except FoamFile
+/// and the keys of `others`, which the tool reads itself.
+void addDictionary(Settings& settings,
+                   const foam::Dictionary& dictionary,
+                   const std::vector<std::string>& others);
 
 /// The text that -help prints.
 std::string helpText(std::string_view tool, std::string_view purpose, const Settings& settings);

@@ -3,6 +3,7 @@
 #include "tools/toolMain.h"
 
 #include "formats/fileBytes.h"
+#include "formats/foam/dictionary.h"
 #include "libpolymesh/base/error.h"
 #include "libpolymesh/base/parallel.h"
 
@@ -25,7 +26,7 @@ Settings settingsOf(std::vector<Option> options) {
     return Settings(std::move(options));
 }
 
-fs::path caseDirectory(const Settings& settings) {
+fs::path existingCase(const Settings& settings) {
     const fs::path dir = settings.text("case", ".");
     require(
         fs::is_directory(dir), "{}: {} is not a directory", settings.place("case"), dir.string());
@@ -49,16 +50,36 @@ void finishReport(ToolRun& tool, const std::string& name) {
     writeBytes(tool.settings.text("json"), tool.report.dump(2) + "\n");
 }
 
+/// The dictionary of the tool: the one that -dict names, seen from here or from the case, else
+/// system/<tool>Dict when it is there, else none (an empty path).
+fs::path dictionaryOf(const ToolRun& tool, const std::string& name) {
+    const fs::path usual = tool.caseDirectory().system(name + "Dict");
+    if (!tool.settings.has("dict")) return fs::is_regular_file(usual) ? usual : fs::path();
+    const fs::path given = tool.settings.text("dict");
+    if (fs::is_regular_file(given)) return given;
+    const fs::path inCase = tool.caseDir / given;
+    require(fs::is_regular_file(inCase),
+            "{}: {}: no such file",
+            tool.settings.place("dict"),
+            given.string());
+    return inCase;
+}
+
 ToolRun prepare(const ToolDescription& tool, Settings settings) {
     const bool quiet = settings.isOn("quiet");
     const bool progress = !quiet && !settings.isOn("noProgress") && isatty(STDERR_FILENO) == 1;
-    fs::path dir = caseDirectory(settings);
-    return {.settings = std::move(settings),
-            .caseDir = std::move(dir),
-            .dictionary = {},
-            .clock = StageClock(progress ? tool.name : ""),
-            .report = nlohmann::ordered_json::object(),
-            .quiet = quiet};
+    fs::path dir = existingCase(settings);
+    ToolRun toolRun{.settings = std::move(settings),
+                    .caseDir = std::move(dir),
+                    .dictionary = {},
+                    .clock = StageClock(progress ? tool.name : ""),
+                    .report = nlohmann::ordered_json::object(),
+                    .quiet = quiet};
+    toolRun.dictionary = dictionaryOf(toolRun, tool.name);
+    if (!toolRun.dictionary.empty())
+        addDictionary(
+            toolRun.settings, foam::readDictionary(toolRun.dictionary), tool.dictionaryOnly);
+    return toolRun;
 }
 
 ExitCode runWith(const ToolDescription& tool,
@@ -89,21 +110,24 @@ int fail(const std::string& tool, std::string message, ExitCode code) {
 } // namespace
 
 fs::path ToolRun::meshDir() const {
-    const fs::path constant = caseDir / "constant";
-    return (settings.has("region") ? constant / settings.text("region") : constant) / "polyMesh";
+    return caseDirectory().polyMesh();
 }
 
 fs::path ToolRun::surfaceFile(const std::string& path) const {
     if (fs::exists(path)) return path;
-    const fs::path inCase = caseDir / "constant" / "triSurface" / path;
+    const fs::path inCase = caseDirectory().triSurface() / path;
     return fs::exists(inCase) ? inCase : fs::path(path);
 }
 
+foam::CaseDirectory ToolRun::caseDirectory() const {
+    return {caseDir, settings.text("region", "")};
+}
+
 foam::WriteFormat ToolRun::writeFormat() const {
-    const std::string name =
-        settings.word("format", {"ascii", "binary", "ascii.gz", "binary.gz"}, "binary");
-    return {.format = name.starts_with("ascii") ? foam::Format::ascii : foam::Format::binary,
-            .compress = name.ends_with(".gz")};
+    std::optional<std::string> option;
+    if (settings.has("format"))
+        option = settings.word("format", {"ascii", "binary", "ascii.gz", "binary.gz"}, "");
+    return foam::writeFormat(caseDirectory(), option);
 }
 
 std::uintmax_t bytesIn(const fs::path& directory) {

@@ -4,7 +4,7 @@
 
 // The frame of every tool: options, dictionary, threads, report and exit status.
 
-#include "formats/foam/writeFormat.h"
+#include "formats/foam/caseDirectory.h"
 #include "tools/options.h"
 #include "tools/stageClock.h"
 
@@ -38,6 +38,9 @@ struct ToolRun {
     /// Written to the file of -json at the end; runTool adds stages, wallSeconds, peakMemoryBytes.
     nlohmann::ordered_json report;
     bool quiet = false;
+
+    /// The case, with the region that -region names.
+    foam::CaseDirectory caseDirectory() const;
 
     /// constant/polyMesh of the case, or of the region that -region names.
     std::filesystem::path meshDir() const;

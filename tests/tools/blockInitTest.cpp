@@ -34,6 +34,45 @@ TEST(BlockInit, putsABoxRoundASurface) {
     EXPECT_EQ(mesh, cartesianMesh(boxAround({{0, 0, 0}, {1, 1, 1}}, 0.25, defaultMargin(0.25))));
 }
 
+TEST(BlockInit, readsItsDictionaryAndOptionsWin) {
+    const TemporaryCase box;
+    box.write("system/blockInitDict",
+              "FoamFile { format ascii; class dictionary; }\nn 3;\n#remove n\n"
+              "box ((0 0 0) (1 2 3)); // [m]\ncells (2 3 4);\n");
+    ASSERT_EQ(box.run("blockInit").status, 0);
+    EXPECT_EQ(foam::readPolyMesh(box.dir() / "constant/polyMesh"),
+              cartesianMesh({{{0, 0, 0}, {1, 2, 3}}, {2, 3, 4}}));
+    ASSERT_EQ(box.run("blockInit -cells '(1 1 1)'").status, 0);
+    EXPECT_EQ(foam::readPolyMesh(box.dir() / "constant/polyMesh").cellCount, 1);
+    box.write("constant/triSurface/part.obj", tetrahedron);
+    ASSERT_EQ(box.run("blockInit -surface part.obj -cellSize 1").status, 0);
+    EXPECT_EQ(foam::readPolyMesh(box.dir() / "constant/polyMesh").cellCount, 8);
+}
+
+TEST(BlockInit, wrongDictionaryEntryNamesFileLineAndNearest) {
+    const TemporaryCase box;
+    box.write("system/blockInitDict", "box ((0 0 0) (1 1 1));\ncels (1 1 1);\n");
+    const ProgramResult misspelt = box.run("blockInit");
+    EXPECT_EQ(misspelt.status, 2);
+    EXPECT_NE(misspelt.err.find("blockInitDict:2: cels"), std::string::npos) << misspelt.err;
+    EXPECT_NE(misspelt.err.find("nearest is cells"), std::string::npos) << misspelt.err;
+    box.write("other", "box ((0 0 0) (1 1 1));\n\ncells (1 1 x);\n");
+    const ProgramResult wrong = box.run("blockInit -dict other");
+    EXPECT_EQ(wrong.status, 2);
+    EXPECT_NE(wrong.err.find("other:3: cells: 'x' is not"), std::string::npos) << wrong.err;
+    EXPECT_EQ(box.run("blockInit -dict missing").status, 2);
+}
+
+TEST(BlockInit, writesWhatControlDictAsksForUnlessTold) {
+    const TemporaryCase box;
+    box.write("system/controlDict", "writeFormat ascii; writeCompression on;");
+    ASSERT_EQ(box.run(unitBox).status, 0);
+    EXPECT_TRUE(std::filesystem::exists(box.dir() / "constant/polyMesh/points.gz"));
+    ASSERT_EQ(box.run(std::string(unitBox) + " -format binary").status, 0);
+    EXPECT_NE(box.read("constant/polyMesh/points").find("binary"), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(box.dir() / "constant/polyMesh/points.gz"));
+}
+
 TEST(BlockInit, reportsInJson) {
     const TemporaryCase box;
     EXPECT_EQ(box.run(std::string(unitBox) + " -json report.json -quiet").out, "");

@@ -101,17 +101,17 @@ void report(ToolRun& tool, const TriSurface& surface, const Trimmed& trimmed) {
 
 ExitCode run(ToolRun& tool) {
     const auto file = tool.surfaceFile(tool.settings.text("surface"));
-    TrimOptions options = trimOptions(tool.settings);
-    options.onStage = [&](const std::string& name) { tool.clock.start(name); };
+    TrimOptions how = trimOptions(tool.settings);
+    how.onStage = [&](const std::string& name) { tool.clock.start(name); };
     tool.clock.start("read");
     TriSurface surface = readSurface(file);
     tool.say("surface    {}, {} triangles", file.string(), surface.triangleCount());
     const PolyMesh mesh = foam::readPolyMesh(tool.meshDir());
     tool.clock.start("check surface");
     prepare(tool, file.string(), surface);
-    options.regionTypes.assign(surface.regionNames.size(),
+    how.regionTypes.assign(surface.regionNames.size(),
                                tool.settings.text("patchType", "wall"));
-    const Trimmed trimmed = trim(mesh, surface, options);
+    const Trimmed trimmed = trim(mesh, surface, how);
     tool.clock.start("validate");
     requireValid(trimmed.mesh, "the trimmed mesh");
     tool.clock.start("write");

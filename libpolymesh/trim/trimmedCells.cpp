@@ -68,13 +68,13 @@ private:
 
     void joinAcrossEdges(Label cell) {
         uses_.clear();
-        for (std::size_t i = 0; i < polygons_.size(); ++i) {
-            const auto polygon = points(polygons_[i]);
+        for (Label i = 0; i < toLabel(polygons_.size()); ++i) {
+            const auto polygon = points(polygons_[index(i)]);
             for (std::size_t k = 0; k < polygon.size(); ++k) {
                 const Label a = polygon[k];
                 const Label b = polygon[(k + 1) % polygon.size()];
-                const bool isForward = (a < b) != polygons_[i].isTurned;
-                uses_.push_back({std::min(a, b), std::max(a, b), toLabel(i), isForward});
+                const bool isForward = (a < b) != polygons_[index(i)].isTurned;
+                uses_.push_back({std::min(a, b), std::max(a, b), i, isForward});
             }
         }
         std::ranges::sort(uses_, [](const EdgeUse& a, const EdgeUse& b) {
@@ -82,20 +82,24 @@ private:
             if (a.high != b.high) return a.high < b.high;
             return a.polygon < b.polygon;
         });
-        for (std::size_t i = 0; i < uses_.size();) {
-            std::size_t j = i;
+        for (auto first = uses_.begin(); first != uses_.end();) {
+            const auto last = std::find_if(first, uses_.end(), [&](const EdgeUse& use) {
+                return use.low != first->low || use.high != first->high;
+            });
             int balance = 0;
-            for (; j < uses_.size() && uses_[j].low == uses_[i].low && uses_[j].high == uses_[i].high;
-                 ++j)
-                balance += uses_[j].isForward ? 1 : -1;
-            if (balance != 0) refuse(cell, uses_[i]);
-            for (std::size_t k = i + 1; k < j; ++k) {
-                const Label a = root(uses_[i].polygon);
-                const Label b = root(uses_[k].polygon);
-                polygons_[index(std::max(a, b))].piece = std::min(a, b);
+            for (auto use = first; use != last; ++use) {
+                balance += use->isForward ? 1 : -1;
+                join(first->polygon, use->polygon);
             }
-            i = j;
+            if (balance != 0) refuse(cell, *first);
+            first = last;
         }
+    }
+
+    void join(Label i, Label k) {
+        const Label a = root(i);
+        const Label b = root(k);
+        polygons_[index(std::max(a, b))].piece = std::min(a, b);
     }
 
     [[noreturn]] void refuse(Label cell, const EdgeUse& use) const {
@@ -110,9 +114,9 @@ private:
 
     double signedVolume(Label piece, const Vec3& apex) {
         double volume = 0;
-        for (std::size_t i = 0; i < polygons_.size(); ++i) {
-            if (root(toLabel(i)) != piece) continue;
-            const auto polygon = points(polygons_[i]);
+        for (Label i = 0; i < toLabel(polygons_.size()); ++i) {
+            if (root(i) != piece) continue;
+            const auto polygon = points(polygons_[index(i)]);
             for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
                 volume += dot(positions_[index(polygon[0])] - apex,
                               cross(positions_[index(polygon[k])] - apex,
@@ -125,10 +129,10 @@ private:
     void adoptVoids() {
         std::vector<Label> roots;
         std::vector<bool> hasMeshFace(polygons_.size(), false);
-        for (std::size_t i = 0; i < polygons_.size(); ++i) {
-            const Label r = root(toLabel(i));
-            if (toLabel(i) == r) roots.push_back(r);
-            if (!polygons_[i].isBoundary) hasMeshFace[index(r)] = true;
+        for (Label i = 0; i < toLabel(polygons_.size()); ++i) {
+            const Label r = root(i);
+            if (i == r) roots.push_back(r);
+            if (!polygons_[index(i)].isBoundary) hasMeshFace[index(r)] = true;
         }
         if (roots.size() < 2) return;
         const Vec3 apex = positions_[index(points(polygons_[0])[0])];
@@ -141,16 +145,17 @@ private:
     Label numberPieces() {
         adoptVoids();
         Label count = 0;
+        const Label n = toLabel(polygons_.size());
         std::vector<Label> numbers(polygons_.size(), -1);
-        for (std::size_t i = 0; i < polygons_.size(); ++i) {
-            Label& number = numbers[index(root(toLabel(i)))];
+        for (Label i = 0; i < n; ++i) {
+            Label& number = numbers[index(root(i))];
             if (number < 0) number = count++;
         }
         std::vector<Label> pieces;
-        for (std::size_t i = 0; i < polygons_.size(); ++i)
-            pieces.push_back(numbers[index(root(toLabel(i)))]);
-        for (std::size_t i = 0; i < polygons_.size(); ++i)
-            polygons_[i].piece = pieces[i];
+        for (Label i = 0; i < n; ++i)
+            pieces.push_back(numbers[index(root(i))]);
+        for (Label i = 0; i < n; ++i)
+            polygons_[index(i)].piece = pieces[index(i)];
         return count;
     }
 
@@ -185,20 +190,23 @@ TrimmedCells divideCells(const Probe& probe,
             }
         }
     });
-    for (std::size_t c = 1; c < first.size(); ++c)
-        first[c] += first[c - 1];
-    cells.localCell.resize(index(first.back()));
-    for (Label c = 0; c < probe.cellCount(); ++c)
-        for (Label i = first[index(c)]; i < first[index(c) + 1]; ++i)
-            cells.localCell[index(i)] = c;
-    for (Label f = 0; f < probe.faceCount(); ++f)
-        for (Label k = loops.offsets[index(f)]; k < loops.offsets[index(f) + 1]; ++k)
-            for (std::size_t side = 0; side < 2; ++side)
-                if (const Label c = probe.faceCells[index(f)][side]; c >= 0)
-                    cells.polygonCells[index(k)][side] += first[index(c)];
-    for (Label c = 0; c < probe.cellCount(); ++c)
+    for (Label c = 0; c < probe.cellCount(); ++c) {
+        first[index(c) + 1] += first[index(c)];
+        cells.localCell.insert(
+            cells.localCell.end(), index(first[index(c) + 1] - first[index(c)]), c);
+    }
+    parallelFor(probe.faceCount(), [&](Label f) {
+        const auto& [own, other] = probe.faceCells[index(f)];
+        for (Label k = loops.offsets[index(f)]; k < loops.offsets[index(f) + 1]; ++k) {
+            auto& polygon = cells.polygonCells[index(k)];
+            if (own >= 0) polygon[0] += first[index(own)];
+            if (other >= 0) polygon[1] += first[index(other)];
+        }
+    });
+    parallelFor(probe.cellCount(), [&](Label c) {
         for (Label k = boundary.offsets[index(c)]; k < boundary.offsets[index(c) + 1]; ++k)
             cells.boundaryCells[index(k)] += first[index(c)];
+    });
     return cells;
 }
 

@@ -1,0 +1,302 @@
+// SPDX-FileCopyrightText: The polymesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "libpolymesh/trim/editPart.h"
+
+#include "libpolymesh/base/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace polymesh {
+
+namespace {
+
+bool isInside(int winding) {
+    return winding >= 1;
+}
+
+class Builder {
+public:
+    Builder(const TrimResult& trim,
+            const SurfaceFeatures& features,
+            const std::vector<Label>& representative)
+        : trim_(trim), features_(features), representative_(representative),
+          isOnFeature_(trim.cutter.surface->points.size(), 0) {
+        const auto& edges = trim.cutter.edges.edges;
+        for (std::size_t e = 0; e < edges.size(); ++e)
+            if (features.isFeature[e] != 0)
+                isOnFeature_[index(edges[e].start)] = isOnFeature_[index(edges[e].end)] = 1;
+    }
+
+    EditPart run() {
+        findStates();
+        addCells();
+        addPolygons();
+        addWholeFaces();
+        rankPoints();
+        return std::move(part_);
+    }
+
+private:
+    Label cellOf(Label meshCell) const { return editCell_[index(meshCell)]; }
+
+    /// Marks the mesh points that the surface moves near: nodes of faces that are cut.
+    std::vector<std::uint8_t> nearPoints() const {
+        std::vector<std::uint8_t> isNear(trim_.mesh.points.size(), 0);
+        const Probe& probe = trim_.probe;
+        for (Label e = 0; e < probe.edgeCount(); ++e)
+            if (trim_.arrangement.crossings.rowSize(e) != 0)
+                for (const Label n : probe.edges[index(e)])
+                    if (n < probe.meshNodeCount()) isNear[index(probe.nodes[index(n)])] = 1;
+        return isNear;
+    }
+
+    void findStates() {
+        const PolyMesh& mesh = trim_.mesh;
+        part_.states.assign(index(mesh.cellCount), CellState::outside);
+        parallelFor(mesh.cellCount, [&](Label c) {
+            if (trim_.probe.localCell[index(c)] < 0 && isInside(trim_.cellWinding[index(c)]))
+                part_.states[index(c)] = CellState::inside;
+        });
+        for (const Label local : trim_.cells.localCell)
+            part_.states[index(trim_.probe.cells[index(local)])] = CellState::edited;
+        const std::vector<std::uint8_t> isNear = nearPoints();
+        isRing_.assign(index(mesh.cellCount), 0);
+        for (Label f = 0; f < mesh.faceCount(); ++f) {
+            const bool touches = std::ranges::any_of(
+                mesh.faces[f], [&](Label p) { return isNear[index(p)] != 0; });
+            if (!touches) continue;
+            markRing(mesh.owner[index(f)]);
+            if (mesh.isInternal(f)) markRing(mesh.neighbour[index(f)]);
+        }
+    }
+
+    void markRing(Label c) {
+        if (part_.states[index(c)] == CellState::inside) isRing_[index(c)] = 1;
+    }
+
+    void addCells() {
+        editCell_.assign(index(trim_.mesh.cellCount), -1);
+        for (const Label local : trim_.cells.localCell) {
+            EditCell cell;
+            cell.size = trim_.cellSizes[index(local)];
+            cell.origin = trim_.probe.cells[index(local)];
+            part_.mesh.cells.push_back(cell);
+        }
+        part_.cutCellCount = trim_.cells.cellCount();
+        for (Label c = 0; c < trim_.mesh.cellCount; ++c)
+            if (isRing_[index(c)] != 0) {
+                part_.states[index(c)] = CellState::edited;
+                addCell(c, false);
+            }
+    }
+
+    Label addCell(Label meshCell, bool isFrozen) {
+        EditCell cell;
+        cell.origin = meshCell;
+        cell.frozen = isFrozen;
+        editCell_[index(meshCell)] = toLabel(part_.mesh.cells.size());
+        part_.mesh.cells.push_back(cell);
+        return editCell_[index(meshCell)];
+    }
+
+    Label pointOf(Label point) {
+        Label& known = editPoint_[index(point)];
+        if (known < 0) {
+            known = toLabel(part_.mesh.points.size());
+            part_.mesh.points.push_back(trim_.positions[index(point)]);
+            part_.mesh.ranks.push_back(PointRank::interior);
+            arrangementPoint_.push_back(point);
+            const bool isMeshNode = point < trim_.probe.meshNodeCount();
+            part_.meshPoint.push_back(isMeshNode ? trim_.probe.nodes[index(point)] : -1);
+            if (isMeshNode) editPointOfMesh_[index(part_.meshPoint.back())] = known;
+        }
+        return known;
+    }
+
+    Label pointOfMesh(Label meshPoint) {
+        Label& known = editPointOfMesh_[index(meshPoint)];
+        if (known < 0) {
+            known = toLabel(part_.mesh.points.size());
+            part_.mesh.points.push_back(trim_.mesh.points[index(meshPoint)]);
+            part_.mesh.ranks.push_back(PointRank::interior);
+            arrangementPoint_.push_back(-1);
+            part_.meshPoint.push_back(meshPoint);
+        }
+        return known;
+    }
+
+    void addFace(EditFace face) {
+        const Label f = toLabel(part_.mesh.faces.size());
+        for (const Label c : {face.owner, face.neighbour})
+            if (c >= 0) part_.mesh.cells[index(c)].faces.push_back(f);
+        part_.mesh.faces.push_back(std::move(face));
+    }
+
+    /// The cell on a side of a polygon of a probed face: a piece, or a cell that nothing touches.
+    Label sideOf(Label polygon, Label localFace, std::size_t side) {
+        if (const Label piece = trim_.cells.polygonCells[index(polygon)][side]; piece >= 0)
+            return piece;
+        const Label f = trim_.probe.faces[index(localFace)];
+        if (side == 1 && !trim_.mesh.isInternal(f)) return -1;
+        const Label c = side == 0 ? trim_.mesh.owner[index(f)] : trim_.mesh.neighbour[index(f)];
+        return cellOf(c) >= 0 ? cellOf(c) : addCell(c, true);
+    }
+
+    Label patchOf(Label meshFace) const {
+        const auto& patches = trim_.mesh.patches;
+        for (std::size_t p = 0; p < patches.size(); ++p)
+            if (meshFace < patches[p].start + patches[p].size) return toLabel(p);
+        return toLabel(patches.size()) - 1;
+    }
+
+    void addPolygons() {
+        const Probe& probe = trim_.probe;
+        editPoint_.assign(trim_.positions.size(), -1);
+        editPointOfMesh_.assign(trim_.mesh.points.size(), -1);
+        for (Label f = 0; f < probe.faceCount(); ++f) {
+            const Label meshFace = probe.faces[index(f)];
+            for (Label k = trim_.loops.offsets[index(f)]; k < trim_.loops.offsets[index(f) + 1]; ++k) {
+                EditFace face;
+                for (const Label p : trim_.loops.polygons[k])
+                    face.points.push_back(pointOf(p));
+                face.owner = sideOf(k, f, 0);
+                face.neighbour = sideOf(k, f, 1);
+                if (face.neighbour < 0) face.patch = patchOf(meshFace);
+                addFace(std::move(face));
+            }
+        }
+        const Label firstRegion = toLabel(trim_.mesh.patches.size());
+        for (Label k = 0; k < trim_.boundary.polygons.size(); ++k) {
+            EditFace face;
+            for (const Label p : trim_.boundary.polygons[k])
+                face.points.push_back(pointOf(p));
+            face.owner = trim_.cells.boundaryCells[index(k)];
+            face.patch = firstRegion + trim_.boundary.region[index(k)];
+            addFace(std::move(face));
+        }
+    }
+
+    /// The faces of ring cells that no probed cell shares.
+    void addWholeFaces() {
+        const PolyMesh& mesh = trim_.mesh;
+        for (Label f = 0; f < mesh.faceCount(); ++f) {
+            const Label own = mesh.owner[index(f)];
+            const Label other = mesh.isInternal(f) ? mesh.neighbour[index(f)] : -1;
+            const bool isOfRing = isRing_[index(own)] != 0 || (other >= 0 && isRing_[index(other)] != 0);
+            const bool isProbed = trim_.probe.localCell[index(own)] >= 0 ||
+                                  (other >= 0 && trim_.probe.localCell[index(other)] >= 0);
+            if (!isOfRing || isProbed) continue;
+            EditFace face;
+            for (const Label p : mesh.faces[f])
+                face.points.push_back(pointOfMesh(p));
+            face.owner = cellOf(own) >= 0 ? cellOf(own) : addCell(own, true);
+            if (other >= 0)
+                face.neighbour = cellOf(other) >= 0 ? cellOf(other) : addCell(other, true);
+            else
+                face.patch = patchOf(f);
+            addFace(std::move(face));
+        }
+        for (EditCell& cell : part_.mesh.cells)
+            if (!cell.frozen && cell.size == 0) cell.size = sizeOf(cell);
+    }
+
+    double sizeOf(const EditCell& cell) const {
+        Box box;
+        for (const Label f : cell.faces)
+            for (const Label p : part_.mesh.faces[index(f)].points)
+                box.add(part_.mesh.points[index(p)]);
+        const Vec3 size = box.size();
+        return std::cbrt(size.x * size.y * size.z);
+    }
+
+    void raise(Label point, PointRank rank) {
+        PointRank& known = part_.mesh.ranks[index(point)];
+        known = std::max(known, rank);
+    }
+
+    void rankPoints() {
+        part_.representative.resize(part_.mesh.points.size());
+        for (std::size_t p = 0; p < part_.mesh.points.size(); ++p) {
+            part_.representative[p] = toLabel(p);
+            const Label point = arrangementPoint_[p];
+            if (point < 0) continue;
+            const Label stands = representative_[index(point)];
+            if (stands != point) part_.representative[p] = editPoint_[index(stands)];
+            rankFeaturePoint(toLabel(p), point);
+        }
+        keepOneOfEach();
+        rankByPatches();
+    }
+
+    /// Points of feature edges of the surface.
+    void rankFeaturePoint(Label p, Label point) {
+        const Arrangement& a = trim_.arrangement;
+        if (a.isPierce(point) && features_.isFeature[index(a.pierce(point).edge)] != 0)
+            raise(p, PointRank::feature);
+        if (point < a.firstVertex()) return;
+        const Label v = point - a.firstVertex();
+        if (isOnFeature_[index(v)] != 0) raise(p, PointRank::feature);
+        if (features_.isCorner[index(v)] != 0) raise(p, PointRank::corner);
+    }
+
+    /// A point of two patches is on a border between them, one of three is a corner.
+    void rankByPatches() {
+        std::vector<std::array<Label, 2>> patches(part_.mesh.points.size(), {-1, -1});
+        for (const EditFace& face : part_.mesh.faces) {
+            const bool isOfFrozen =
+                part_.mesh.cells[index(face.owner)].frozen ||
+                (face.neighbour >= 0 && part_.mesh.cells[index(face.neighbour)].frozen);
+            for (const Label p : face.points) {
+                if (isOfFrozen) raise(p, PointRank::fixed);
+                if (!face.isBoundary()) continue;
+                auto& seen = patches[index(p)];
+                const bool isNew = seen[0] != face.patch && seen[1] != face.patch;
+                if (!isNew) continue;
+                if (seen[0] < 0)
+                    raise(p, PointRank::surface);
+                else
+                    raise(p, seen[1] < 0 ? PointRank::feature : PointRank::corner);
+                (seen[0] < 0 ? seen[0] : seen[1]) = face.patch;
+            }
+        }
+    }
+
+    /// Where the point that should stand for others is not used itself, the first that is does.
+    void keepOneOfEach() {
+        std::vector<std::pair<Label, Label>> orphans; // standing point, edit point
+        for (std::size_t p = 0; p < part_.representative.size(); ++p)
+            if (part_.representative[p] < 0)
+                orphans.emplace_back(representative_[index(arrangementPoint_[p])], toLabel(p));
+        std::ranges::sort(orphans);
+        for (std::size_t i = 0; i < orphans.size(); ++i) {
+            const bool isFirst = i == 0 || orphans[i].first != orphans[i - 1].first;
+            const Label p = orphans[i].second;
+            part_.representative[index(p)] =
+                isFirst ? p : part_.representative[index(orphans[i - 1].second)];
+            // It stands where the others should be.
+            part_.mesh.points[index(p)] = trim_.positions[index(orphans[i].first)];
+        }
+    }
+
+    const TrimResult& trim_;
+    const SurfaceFeatures& features_;
+    const std::vector<Label>& representative_;
+    std::vector<std::uint8_t> isOnFeature_; // per surface point
+    EditPart part_;
+    std::vector<std::uint8_t> isRing_;
+    std::vector<Label> editCell_;         // mesh cell -> edit cell, for whole and frozen cells
+    std::vector<Label> editPoint_;        // arrangement point -> edit point
+    std::vector<Label> editPointOfMesh_;  // mesh point -> edit point
+    std::vector<Label> arrangementPoint_; // edit point -> arrangement point, or -1
+};
+
+} // namespace
+
+EditPart buildEditPart(const TrimResult& trim,
+                       const SurfaceFeatures& features,
+                       const std::vector<Label>& representative) {
+    return Builder(trim, features, representative).run();
+}
+
+} // namespace polymesh

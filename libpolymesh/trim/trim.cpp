@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: The polymesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "libpolymesh/trim/trim.h"
+
+#include "libpolymesh/base/error.h"
+#include "libpolymesh/base/parallel.h"
+#include "libpolymesh/quality/collapsePoints.h"
+#include "libpolymesh/quality/mergeCells.h"
+#include "libpolymesh/quality/removeZeroSize.h"
+#include "libpolymesh/surface/features.h"
+#include "libpolymesh/surface/triangleBoxes.h"
+#include "libpolymesh/trim/arrangement.h"
+#include "libpolymesh/trim/assemble.h"
+#include "libpolymesh/trim/coincident.h"
+#include "libpolymesh/trim/editPart.h"
+#include "libpolymesh/trim/loops.h"
+#include "libpolymesh/trim/nodes.h"
+#include "libpolymesh/trim/pieces.h"
+#include "libpolymesh/trim/sharpness.h"
+#include "libpolymesh/trim/simplify.h"
+#include "libpolymesh/trim/trimmedCells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace polymesh {
+
+namespace {
+
+void turnInsideOut(TriSurface& surface) {
+    for (auto& triangle : surface.triangles)
+        std::swap(triangle[1], triangle[2]);
+}
+
+/// Edge length of the cube with the volume of each probed cell [m].
+std::vector<double> probedCellSizes(const Probe& probe) {
+    std::vector<double> sizes(probe.cells.size());
+    parallelFor(probe.cellCount(), [&](Label c) {
+        double volume = 0;
+        const Label firstNode = probe.faceNodes[probe.cellFaces[c][0]][0];
+        const Vec3& apex = probe.nodePoints[index(firstNode)];
+        for (const Label f : probe.cellFaces[c]) {
+            const auto nodes = probe.faceNodes[f];
+            double cone = 0;
+            for (std::size_t i = 1; i + 1 < nodes.size(); ++i)
+                cone += dot(probe.nodePoints[index(nodes[0])] - apex,
+                            cross(probe.nodePoints[index(nodes[i])] - apex,
+                                  probe.nodePoints[index(nodes[i + 1])] - apex));
+            volume += probe.faceCells[index(f)][0] == c ? cone : -cone;
+        }
+        sizes[index(c)] = std::cbrt(std::max(volume / 6, 0.0));
+    });
+    return sizes;
+}
+
+/// Collapses what coincides, then what the user wants cleaned up.
+void cleanUp(EditPart& part, const TrimOptions& options, TrimSummary& summary) {
+    MeshEditor editor(part.mesh);
+    collapsePoints(editor, part.representative);
+    removeZeroSize(editor);
+    if (options.minVolume > 0) summary.mergedCells = mergeSmallCells(editor, options.minVolume);
+}
+
+void count(const EditPart& part, const PolyMesh& result, TrimSummary& summary) {
+    Label cut = 0;
+    for (Label c = 0; c < part.cutCellCount; ++c)
+        if (!part.mesh.cells[index(c)].isRemoved()) ++cut;
+    summary.trimmedCells = cut;
+    summary.untouchedCells = result.cellCount - cut;
+}
+
+} // namespace
+
+Trimmed trim(const PolyMesh& mesh, TriSurface surface, const TrimOptions& options) {
+    Trimmed result;
+    const bool isOutside = options.keep == Keep::outside;
+    options.onStage("candidates");
+    if (isOutside) turnInsideOut(surface);
+    CuttingSurface cutter{&surface, pairEdges(surface), triangleBoxes(surface)};
+    const Probe probe = buildProbe(mesh, surface, cutter.triangleBoxes);
+
+    options.onStage("edges");
+    Arrangement arrangement;
+    crossEdges(probe, cutter, arrangement);
+    const std::vector<std::int8_t> cellWinding =
+        windNodes(mesh, probe, cutter, isOutside ? 1 : 0, arrangement);
+
+    options.onStage("faces");
+    pierceFacets(probe, cutter, arrangement);
+    locateVertices(mesh, probe, cutter, arrangement);
+    const PointPositions positions = placePoints(probe, cutter, arrangement);
+    FaceLoops loops = walkFaces(probe, arrangement, positions);
+    result.summary.holedFaces = loops.holeCount;
+
+    options.onStage("cells");
+    const CellPieces pieces = cutTriangles(probe, cutter, arrangement);
+
+    options.onStage("simplify");
+    const SurfaceFeatures features = findFeatures(surface, cutter.edges, options.featureAngle);
+    const std::vector<double> cellSizes = probedCellSizes(probe);
+    const Fidelity fidelity{
+        options.deviation, edgeSharpness(surface, cutter.edges, features), options.featureAngle};
+    const BoundaryPolygons boundary =
+        simplify(probe, cutter, arrangement, positions, pieces, cellSizes, fidelity, loops);
+    const TrimmedCells cells = divideCells(probe, positions, loops, boundary);
+
+    options.onStage("clean up");
+    EditPart part = buildEditPart({mesh,
+                                   probe,
+                                   cutter,
+                                   arrangement,
+                                   positions,
+                                   loops,
+                                   boundary,
+                                   cells,
+                                   cellWinding,
+                                   cellSizes},
+                                  features,
+                                  mergeCoincident(probe, cutter, arrangement));
+    cleanUp(part, options, result.summary);
+
+    options.onStage("assemble");
+    std::vector<std::string> types = options.regionTypes;
+    types.resize(surface.regionNames.size(), "wall");
+    result.mesh = assemble(mesh, part, surface.regionNames, types);
+    require(result.mesh.cellCount > 0,
+            "nothing is left: the surface and the mesh have no volume in common on the side to "
+            "keep; check the surface's unit and place, and -keep");
+    count(part, result.mesh, result.summary);
+    result.summary.featureEdges =
+        toLabel(static_cast<std::size_t>(std::ranges::count(features.isFeature, char{1})));
+    result.summary.featureCorners =
+        toLabel(static_cast<std::size_t>(std::ranges::count(features.isCorner, char{1})));
+    return result;
+}
+
+} // namespace polymesh

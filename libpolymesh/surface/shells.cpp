@@ -100,14 +100,43 @@ private:
     std::map<Label, int> excess_; // of the edge at hand: component -> uses up minus down
 };
 
-void addExtremes(const Vec3& p, std::array<Vec3, 6>& extreme) {
-    for (int axis = 0; axis < 3; ++axis) {
-        auto& low = extreme[static_cast<std::size_t>(2 * axis)];
-        auto& high = extreme[static_cast<std::size_t>(2 * axis + 1)];
-        if (p[axis] < low[axis]) low = p;
-        if (p[axis] > high[axis]) high = p;
+/// Finds the points furthest along the axes and diagonals, both ways.
+class Extremes {
+public:
+    void add(const Vec3& p) {
+        for (std::size_t i = 0; i < points_.size(); ++i) {
+            const double reach = dot(directions[i], p);
+            if (reach <= reach_[i]) continue;
+            reach_[i] = reach;
+            points_[i] = p;
+        }
     }
-}
+
+    std::vector<Vec3> points() const { return {points_.begin(), points_.end()}; }
+
+private:
+    static constexpr std::array<Vec3, 14> directions{{{1, 0, 0},
+                                                      {-1, 0, 0},
+                                                      {0, 1, 0},
+                                                      {0, -1, 0},
+                                                      {0, 0, 1},
+                                                      {0, 0, -1},
+                                                      {1, 1, 1},
+                                                      {-1, -1, -1},
+                                                      {1, 1, -1},
+                                                      {-1, -1, 1},
+                                                      {1, -1, 1},
+                                                      {-1, 1, -1},
+                                                      {1, -1, -1},
+                                                      {-1, 1, 1}}};
+
+    std::array<Vec3, directions.size()> points_;
+    std::array<double, directions.size()> reach_ = [] {
+        std::array<double, directions.size()> lowest{};
+        lowest.fill(-Box::inf);
+        return lowest;
+    }();
+};
 
 int findOrientation(const TriSurface& surface,
                     std::span<const Label> triangles,
@@ -176,15 +205,14 @@ Shells findShells(const TriSurface& surface) {
     for (Label shell = 0; shell < shells.count(); ++shell) {
         const auto triangles = shells.triangles[shell];
         Box box;
-        std::array<Vec3, 6> extreme;
-        extreme.fill(surface.corner(triangles.front(), 0));
+        Extremes extremes;
         for (Label t : triangles) {
             box.add(triangleBox(surface, t));
             for (const Vec3& p : cornersOf(surface, t))
-                addExtremes(p, extreme);
+                extremes.add(p);
         }
         shells.box.push_back(box);
-        shells.extreme.push_back(extreme);
+        shells.extreme.push_back(extremes.points());
         shells.orientation.push_back(findOrientation(surface, triangles, box.centre()));
     }
     return shells;

@@ -14,11 +14,11 @@ namespace polymesh {
 /// The closed, consistently oriented parts of a surface, each as small as possible: two cubes that
 /// share an edge are two shells.
 struct Shells {
-    Rows<Label> triangles;                    // one row per shell, ascending
-    std::vector<Box> box;                     // one per shell
-    std::vector<int> orientation;             // 1 outward, -1 inward, 0 without volume
-    std::vector<std::array<Vec3, 6>> extreme; // points with the lowest and highest x, y, z
-    Label openParts = 0;                      // parts that are not closed
+    Rows<Label> triangles;                  // one row per shell, ascending
+    std::vector<Box> box;                   // one per shell
+    std::vector<int> orientation;           // 1 outward, -1 inward, 0 without volume
+    std::vector<std::vector<Vec3>> extreme; // points furthest along axes and diagonals
+    Label openParts = 0;                    // parts that are not closed
 
     Label count() const { return triangles.size(); }
 };

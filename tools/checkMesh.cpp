@@ -4,6 +4,7 @@
 // checkMesh: constant/polyMesh -> report as OpenFOAM's checkMesh, sets of the offenders.
 
 #include "formats/foam/polyMeshIo.h"
+#include "formats/foam/sets.h"
 #include "libpolymesh/quality/checks.h"
 #include "tools/checkReport.h"
 #include "tools/toolMain.h"
@@ -22,6 +23,32 @@ const std::vector<Option> options{
     {"allGeometry", "", "check tetrahedra, edges, flatness, determinants, weights and ratios too"},
     {"noSets", "", "do not write the offenders to constant/polyMesh/sets"}};
 
+foam::SetKind setKind(ElementKind kind) {
+    switch (kind) {
+    case ElementKind::point:
+        return foam::SetKind::point;
+    case ElementKind::face:
+        return foam::SetKind::face;
+    case ElementKind::cell:
+        break;
+    }
+    return foam::SetKind::cell;
+}
+
+/// Writes the offenders of each check as OpenFOAM does, and removes what an earlier run left.
+void writeSets(const std::filesystem::path& meshDir, const MeshReport& report) {
+    for (std::size_t i = 0; i < checkCount; ++i) {
+        const CheckInfo& info = infoOf(static_cast<CheckId>(i));
+        const std::vector<Label>& offenders = report.results[i].offenders;
+        const std::string name(info.setName);
+        std::error_code ignored;
+        if (!offenders.empty())
+            foam::writeSet(meshDir, setKind(info.kind), name, offenders);
+        else if (!name.empty())
+            std::filesystem::remove(meshDir / "sets" / name, ignored);
+    }
+}
+
 ExitCode run(ToolRun& tool) {
     const CheckOptions checkOptions{.allTopology = tool.settings.isOn("allTopology"),
                                     .allGeometry = tool.settings.isOn("allGeometry")};
@@ -31,6 +58,7 @@ ExitCode run(ToolRun& tool) {
     const MeshReport report = checkMesh(mesh, checkOptions);
     tool.report.update(reportJson(mesh, report));
     tool.say("{}", reportText(mesh, report, 6));
+    if (!tool.settings.isOn("noSets")) writeSets(tool.meshDir(), report);
     tool.say("{}\n", verdictText(report));
     return report.isOk() ? ExitCode::success : ExitCode::failure;
 }

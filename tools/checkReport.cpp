@@ -298,14 +298,15 @@ void Writer::cellZones() {
              "Points",
              "Volume",
              "BoundingBox");
-    for (const CellZoneFacts& zone : report_.topology.cellZones)
-        line("    {:<19} {:<12} {:<12} {:<12} {} {}",
+    for (const CellZoneFacts& zone : report_.topology.cellZones) {
+        const bool isEmpty = zone.box.isEmpty();
+        line("    {:<19} {:<12} {:<12} {:<12} {}",
              zone.name,
              zone.cells,
              zone.points,
              num(zone.volume),
-             vec(zone.box.min),
-             vec(zone.box.max));
+             isEmpty ? "(empty)" : vec(zone.box.min) + " " + vec(zone.box.max));
+    }
 }
 
 void Writer::domain() {

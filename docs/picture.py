@@ -1,10 +1,14 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: The polymesh authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws the mesh of a case as a PNG, cut open along whole cells; trimmed cells are orange.
+"""Draws the mesh of a case as a PNG, cut open along whole cells; hexahedra are
+blue, all other shapes orange.
 
-Needs python3-vtk9; without a screen run it as:  xvfb-run -a python3 docs/picture.py CASE OUT.png
-With --surface FILE (STL, also .gz) the surface is drawn on the left and the mesh on the right."""
+Needs python3-vtk9; without a screen run it as:  xvfb-run -a /usr/bin/python3 docs/picture.py CASE OUT.png
+With --surface FILE (STL, also .gz) the surface is drawn on the left and the mesh on the right.
+docs/flange.png is the flange tutorial, run in CASE=build/flange (./Allrun does), drawn by:
+    xvfb-run -a /usr/bin/python3 docs/picture.py build/flange docs/flange.png --cut x --azimuth -50 \\
+        --surface build/flange/constant/triSurface/flange.stl.gz --size 1400 600"""
 import argparse
 import gzip
 import pathlib
@@ -24,7 +28,7 @@ def arguments():
     parser.add_argument("--at", type=float, default=0.5, help="place of the cut, 0 to 1")
     parser.add_argument("--azimuth", type=float, default=30, help="[deg]")
     parser.add_argument("--elevation", type=float, default=25, help="[deg]")
-    parser.add_argument("--zoom", type=float, default=1.25)
+    parser.add_argument("--zoom", type=float, default=1.6)
     parser.add_argument("--size", type=int, nargs=2, default=[1400, 620], help="[pixel]")
     return parser.parse_args()
 
@@ -74,17 +78,17 @@ def cutOpen(grid, axis, at):
     return keep.GetOutput()
 
 
-def markTrimmed(grid):
-    """A cell array `trimmed`: 0 for plain hexahedra, 1 for all others."""
-    marks = vtk.vtkUnsignedCharArray()
-    marks.SetName("trimmed")
+def markShapes(grid):
+    """A cell array `other`: 0 for plain hexahedra, 1 for all others."""
+    marks = vtk.vtkIntArray()
+    marks.SetName("other")
     for cell in range(grid.GetNumberOfCells()):
         marks.InsertNextValue(int(grid.GetCellType(cell) not in (vtk.VTK_HEXAHEDRON, vtk.VTK_VOXEL)))
     grid.GetCellData().SetScalars(marks)
 
 
 def meshActor(grid):
-    markTrimmed(grid)
+    markShapes(grid)
     skin = vtk.vtkDataSetSurfaceFilter()
     skin.SetInputData(grid)
     colours = vtk.vtkLookupTable()
@@ -100,6 +104,8 @@ def meshActor(grid):
     actor.GetProperty().EdgeVisibilityOn()
     actor.GetProperty().SetEdgeColor(*INK)
     actor.GetProperty().SetLineWidth(1)
+    actor.GetProperty().SetAmbient(0.35)
+    actor.GetProperty().SetDiffuse(0.75)
     return actor
 
 

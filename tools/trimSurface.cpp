@@ -34,6 +34,7 @@ const std::vector<Option> options{
     {"featureAngle", "DEG", "keep edges of the surface sharper than this [deg]; default 30"},
     {"minEdge", "F", "collapse shorter edges, fraction of the cell size; 0: off; default 0.05"},
     {"minVolume", "F", "merge smaller cells, fraction of the uncut cell; 0: off; default 0.05"},
+    {"concave", "WHAT", "split (default) or keep cells that are concave or fail checkMesh"},
     {"patchType", "TYPE", "OpenFOAM type of the surface's patches; default wall"}};
 
 TrimOptions trimOptions(const Settings& settings) {
@@ -45,6 +46,10 @@ TrimOptions trimOptions(const Settings& settings) {
         settings.numberOr(30, "featureAngle", 0, 180) * std::numbers::pi / 180; // deg to rad
     trim.minEdge = settings.numberOr(trim.minEdge, "minEdge", 0, 0.5);
     trim.minVolume = settings.numberOr(trim.minVolume, "minVolume", 0, 0.5);
+    // An exact trim without clean-up stays just that.
+    const bool isPlain = trim.deviation == 0 && trim.minEdge == 0 && trim.minVolume == 0;
+    trim.mendsCells =
+        settings.word("concave", {"split", "keep"}, isPlain ? "keep" : "split") == "split";
     return trim;
 }
 
@@ -52,14 +57,15 @@ TrimOptions trimOptions(const Settings& settings) {
 void prepare(const ToolRun& tool, const std::string& file, TriSurface& surface) {
     const SurfaceDefects defects = checkSurface(surface);
     const auto& open = defects.openEdges;
-    require(open.count == 0,
-            "{}: the surface is open: {} edges without a partner, one at ({} {} {}); close the gaps "
-            "(or join points that should be one) and try again",
-            file,
-            open.count,
-            open.first.x,
-            open.first.y,
-            open.first.z);
+    require(
+        open.count == 0,
+        "{}: the surface is open: {} edges without a partner, one at ({} {} {}); close the gaps "
+        "(or join points that should be one) and try again",
+        file,
+        open.count,
+        open.first.x,
+        open.first.y,
+        open.first.z);
     const OrientationReport turned = orientSurface(surface);
     if (turned.turnedTriangles > 0)
         tool.say("turned     {} triangles, so that normals leave the part{}",
@@ -85,6 +91,12 @@ void report(ToolRun& tool, const TriSurface& surface, const Trimmed& trimmed) {
              s.untouchedCells,
              s.trimmedCells,
              s.mergedCells);
+    tool.say(
+        "clean-up   {} edges collapsed, {} cuts of concave cells, {} repairs; {} bad cells left",
+        s.collapsedEdges,
+        s.splitCells,
+        s.repairs,
+        s.badCells);
     tool.say("features   {} edges, {} corners kept", s.featureEdges, s.featureCorners);
     const MeshGeometry geometry = computeGeometry(mesh);
     const SurfaceMeasure wanted = measure(surface);
@@ -109,8 +121,7 @@ ExitCode run(ToolRun& tool) {
     const PolyMesh mesh = foam::readPolyMesh(tool.meshDir());
     tool.clock.start("check surface");
     prepare(tool, file.string(), surface);
-    how.regionTypes.assign(surface.regionNames.size(),
-                               tool.settings.text("patchType", "wall"));
+    how.regionTypes.assign(surface.regionNames.size(), tool.settings.text("patchType", "wall"));
     const Trimmed trimmed = trim(mesh, surface, how);
     tool.clock.start("validate");
     requireValid(trimmed.mesh, "the trimmed mesh");

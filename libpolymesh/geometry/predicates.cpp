@@ -5,7 +5,6 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Gmpq.h>
 #include <CGAL/Interval_nt.h>
-
 #include <cmath>
 #include <limits>
 
@@ -170,13 +169,17 @@ bool isPlanarConvex(std::span<const Vec3> polygon) {
     return true;
 }
 
-int compareAlongMeshEdge(
-    const Vec3& a, const Vec3& b, const std::array<Vec3, 3>& s, const std::array<Vec3, 3>& t) {
+int compareAlongMeshEdge(const Vec3& a,
+                         const Vec3& b,
+                         const std::array<Vec3, 3>& s,
+                         const std::array<Vec3, 3>& t) {
     return comparePlanes(a, b, s, t, true);
 }
 
-int compareAlongSurfaceEdge(
-    const Vec3& p, const Vec3& q, const std::array<Vec3, 3>& f, const std::array<Vec3, 3>& g) {
+int compareAlongSurfaceEdge(const Vec3& p,
+                            const Vec3& q,
+                            const std::array<Vec3, 3>& f,
+                            const std::array<Vec3, 3>& g) {
     return comparePlanes(p, q, f, g, false);
 }
 

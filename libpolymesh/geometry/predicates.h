@@ -55,12 +55,17 @@ bool isPlanarConvex(std::span<const Vec3> polygon);
 
 /// Order along the mesh edge a b, seen from a, of its crossings with the moved triangles s and t:
 /// -1 where s comes first, 1 where t does, 0 where they lie in one plane.
-int compareAlongMeshEdge(
-    const Vec3& a, const Vec3& b, const std::array<Vec3, 3>& s, const std::array<Vec3, 3>& t);
+int compareAlongMeshEdge(const Vec3& a,
+                         const Vec3& b,
+                         const std::array<Vec3, 3>& s,
+                         const std::array<Vec3, 3>& t);
 
-/// Order along the moved surface edge p q, seen from p, of its crossings with the planes through the
-/// mesh points f and g: -1 where f comes first, 1 where g does, 0 where the planes are the same.
-int compareAlongSurfaceEdge(
-    const Vec3& p, const Vec3& q, const std::array<Vec3, 3>& f, const std::array<Vec3, 3>& g);
+/// Order along the moved surface edge p q, seen from p, of its crossings with the planes through
+/// the mesh points f and g: -1 where f comes first, 1 where g does, 0 where the planes are the
+/// same.
+int compareAlongSurfaceEdge(const Vec3& p,
+                            const Vec3& q,
+                            const std::array<Vec3, 3>& f,
+                            const std::array<Vec3, 3>& g);
 
 } // namespace polymesh

@@ -37,7 +37,7 @@ struct EdgeCrossing {
 
 /// Where an edge of the moved surface passes through a facet of the mesh.
 struct FacePierce {
-    Label edge = -1;      // of the surface
+    Label edge = -1; // of the surface
     Label facet = -1;
     std::int8_t sign = 0; // 1: along the facet's normal when going from the edge's start
     /// Bit 0, 1: start, end of the surface edge; bit 2 + i: edge i of the facet (the last bit
@@ -60,13 +60,13 @@ struct Segment {
 /// Laws: (1) in each facet, a triangle has no segment or one; (2) each crossing and each pierce
 /// ends one segment of a facet and begins another.
 struct Arrangement {
-    Rows<EdgeCrossing> crossings;          // probe edge -> crossings from its lower node on
-    std::vector<std::int8_t> winding;      // local node -> winding number; 1 inside, 0 outside
-    Rows<FacePierce> pierces;              // facet -> pierces
-    Rows<Segment> segments;                // facet -> segments, by ascending `from`
-    Rows<Label> surfacePierces;            // surface edge -> pierces (places in pierces.values)
-    std::vector<Label> pierceRank;         // pierce -> place in its surface edge's row
-    std::vector<Label> vertexCell;         // surface point -> local cell, -1: outside the mesh
+    Rows<EdgeCrossing> crossings;     // probe edge -> crossings from its lower node on
+    std::vector<std::int8_t> winding; // local node -> winding number; 1 inside, 0 outside
+    Rows<FacePierce> pierces;         // facet -> pierces
+    Rows<Segment> segments;           // facet -> segments, by ascending `from`
+    Rows<Label> surfacePierces;       // surface edge -> pierces (places in pierces.values)
+    std::vector<Label> pierceRank;    // pierce -> place in its surface edge's row
+    std::vector<Label> vertexCell;    // surface point -> local cell, -1: outside the mesh
     Label nodeCount = 0;
 
     Label crossingCount() const { return toLabel(crossings.values.size()); }

@@ -44,8 +44,7 @@ private:
         std::vector<Label> order;
         for (std::size_t c = 0; c < cells.size(); ++c)
             if (!cells[c].frozen && !cells[c].isRemoved()) order.push_back(toLabel(c));
-        std::ranges::stable_sort(
-            order, {}, [&](Label c) { return cells[index(c)].origin; });
+        std::ranges::stable_sort(order, {}, [&](Label c) { return cells[index(c)].origin; });
         meshCell_.assign(index(mesh_.cellCount), -1);
         editCell_.assign(cells.size(), -1);
         std::size_t next = 0;
@@ -67,8 +66,11 @@ private:
         for (std::size_t f = 0; f < part_.mesh.faces.size(); ++f) {
             const EditFace& face = part_.mesh.faces[f];
             if (face.isRemoved()) continue;
-            FaceRecord record{editCell_[index(face.owner)], -1, face.patch,
-                              mesh_.faceCount() + toLabel(f), false};
+            FaceRecord record{editCell_[index(face.owner)],
+                              -1,
+                              face.patch,
+                              mesh_.faceCount() + toLabel(f),
+                              false};
             if (!face.isBoundary()) {
                 record.neighbour = editCell_[index(face.neighbour)];
                 record.patch = -1;

@@ -97,7 +97,8 @@ Bridge findBridge(const Plane& plane,
             if (crossesLoop(plane, outer, outer[i], hole[j]) ||
                 crossesLoop(plane, hole, outer[i], hole[j]))
                 continue;
-            if (first != nullptr && doCross(a, b, plane(outer[first->outer]), plane(hole[first->hole])))
+            if (first != nullptr &&
+                doCross(a, b, plane(outer[first->outer]), plane(hole[first->hole])))
                 continue;
             best = {i, j, length};
         }
@@ -131,9 +132,8 @@ std::array<LoopPolygon, 2> cutOpen(const Plane& plane,
 }
 
 /// The polygon that holds the hole: the smallest of those round its first point.
-std::size_t holderOf(const Plane& plane,
-                     const std::vector<LoopPolygon>& polygons,
-                     const LoopPolygon& hole) {
+std::size_t
+holderOf(const Plane& plane, const std::vector<LoopPolygon>& polygons, const LoopPolygon& hole) {
     std::size_t best = 0;
     double bestArea = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < polygons.size(); ++i) {

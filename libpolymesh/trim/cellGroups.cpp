@@ -125,16 +125,17 @@ void CellGroups::walkOutlines(const CellInput& input) {
         if (edges_[k].isUsed) continue;
         const Label group = edges_[k].group;
         Face face;
-        face.region = input.cutter.surface->region[index(input.pieces.triangle[index(firstPiece_ + group)])];
+        face.region =
+            input.cutter.surface->region[index(input.pieces.triangle[index(firstPiece_ + group)])];
         std::size_t at = k;
         while (!edges_[at].isUsed) {
             edges_[at].isUsed = true;
             face.points.push_back(edges_[at].from);
             const Label to = edges_[at].to;
-            auto next = std::lower_bound(edges_.begin(), edges_.end(), to,
-                                         [group](const OutlineEdge& e, Label point) {
-                                             return e.group != group ? e.group < group : e.from < point;
-                                         });
+            auto next = std::lower_bound(
+                edges_.begin(), edges_.end(), to, [group](const OutlineEdge& e, Label point) {
+                    return e.group != group ? e.group < group : e.from < point;
+                });
             while (next + 1 != edges_.end() && next->isUsed && (next + 1)->group == group &&
                    (next + 1)->from == to)
                 ++next;
@@ -219,7 +220,8 @@ bool CellGroups::isValid(const CellInput& input,
             polygon.clear();
             for (const Label p : loops.polygons[k])
                 if (isKept(p)) polygon.push_back(p);
-            if (!add(std::span<const Label>(polygon.data(), polygon.size()), direction)) return false;
+            if (!add(std::span<const Label>(polygon.data(), polygon.size()), direction))
+                return false;
         }
     }
     for (const Face& face : faces_)
@@ -240,11 +242,12 @@ double CellGroups::deviation(const CellInput& input) const {
             const Vec3& at = input.positions[index(p)];
             double distance = Box::inf;
             for (std::size_t k = 0; k < face.size(); ++k)
-                distance = std::min(distance,
-                                    distanceToTriangle(at,
-                                                       input.positions[index(face[k])],
-                                                       input.positions[index(face[(k + 1) % face.size()])],
-                                                       centre));
+                distance =
+                    std::min(distance,
+                             distanceToTriangle(at,
+                                                input.positions[index(face[k])],
+                                                input.positions[index(face[(k + 1) % face.size()])],
+                                                centre));
             largest = std::max(largest, distance);
         }
     }

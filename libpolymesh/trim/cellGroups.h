@@ -49,7 +49,8 @@ public:
     const std::vector<Face>& faces() const { return faces_; }
 
     /// Whether the cell of these faces and the polygons of the mesh faces has four faces or more,
-    /// with three points or more each, no two with the same points, and a volume. Call after reduce.
+    /// with three points or more each, no two with the same points, and a volume. Call after
+    /// reduce.
     bool isValid(const CellInput& input, const FaceLoops& loops, const PointTest& isKept) const;
 
     /// Largest distance of a dropped point from its face [m]. Call after reduce.
@@ -60,6 +61,7 @@ private:
         Label interval;
         Label piece;
     };
+
     struct OutlineEdge {
         Label group;
         Label from;

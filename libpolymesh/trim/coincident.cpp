@@ -22,7 +22,9 @@ struct EdgeMeeting {
 class Coincidence {
 public:
     Coincidence(const Probe& probe, const CuttingSurface& cutter, const Arrangement& arrangement)
-        : probe_(probe), cutter_(cutter), arrangement_(arrangement),
+        : probe_(probe),
+          cutter_(cutter),
+          arrangement_(arrangement),
           parent_(index(arrangement.firstVertex()) + cutter.surface->points.size()) {
         for (std::size_t i = 0; i < parent_.size(); ++i)
             parent_[i] = toLabel(i);
@@ -60,7 +62,8 @@ private:
         a = root(a);
         b = root(b);
         if (a == b) return;
-        const bool isAFirst = precedence(a) != precedence(b) ? precedence(a) < precedence(b) : a < b;
+        const bool isAFirst =
+            precedence(a) != precedence(b) ? precedence(a) < precedence(b) : a < b;
         (isAFirst ? parent_[index(b)] : parent_[index(a)]) = isAFirst ? a : b;
     }
 
@@ -168,9 +171,8 @@ private:
 
 } // namespace
 
-std::vector<Label> mergeCoincident(const Probe& probe,
-                                   const CuttingSurface& cutter,
-                                   const Arrangement& arrangement) {
+std::vector<Label>
+mergeCoincident(const Probe& probe, const CuttingSurface& cutter, const Arrangement& arrangement) {
     return Coincidence(probe, cutter, arrangement).run();
 }
 

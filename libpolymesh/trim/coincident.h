@@ -11,8 +11,7 @@ namespace polymesh {
 /// For each point of the arrangement the point that stands for it: points that fall together on
 /// the surface as given (before it was moved) share one. A mesh node stands before a surface point,
 /// a surface point before crossings and pierces. Exact: decided by the zeros of the predicates.
-std::vector<Label> mergeCoincident(const Probe& probe,
-                                   const CuttingSurface& cutter,
-                                   const Arrangement& arrangement);
+std::vector<Label>
+mergeCoincident(const Probe& probe, const CuttingSurface& cutter, const Arrangement& arrangement);
 
 } // namespace polymesh

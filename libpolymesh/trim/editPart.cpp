@@ -20,7 +20,9 @@ public:
     Builder(const TrimResult& trim,
             const SurfaceFeatures& features,
             const std::vector<Label>& representative)
-        : trim_(trim), features_(features), representative_(representative),
+        : trim_(trim),
+          features_(features),
+          representative_(representative),
           isOnFeature_(trim.cutter.surface->points.size(), 0) {
         const auto& edges = trim.cutter.edges.edges;
         for (std::size_t e = 0; e < edges.size(); ++e)
@@ -63,8 +65,8 @@ private:
         const std::vector<std::uint8_t> isNear = nearPoints();
         isRing_.assign(index(mesh.cellCount), 0);
         for (Label f = 0; f < mesh.faceCount(); ++f) {
-            const bool touches = std::ranges::any_of(
-                mesh.faces[f], [&](Label p) { return isNear[index(p)] != 0; });
+            const bool touches =
+                std::ranges::any_of(mesh.faces[f], [&](Label p) { return isNear[index(p)] != 0; });
             if (!touches) continue;
             markRing(mesh.owner[index(f)]);
             if (mesh.isInternal(f)) markRing(mesh.neighbour[index(f)]);
@@ -156,7 +158,8 @@ private:
         editPointOfMesh_.assign(trim_.mesh.points.size(), -1);
         for (Label f = 0; f < probe.faceCount(); ++f) {
             const Label meshFace = probe.faces[index(f)];
-            for (Label k = trim_.loops.offsets[index(f)]; k < trim_.loops.offsets[index(f) + 1]; ++k) {
+            for (Label k = trim_.loops.offsets[index(f)]; k < trim_.loops.offsets[index(f) + 1];
+                 ++k) {
                 EditFace face;
                 for (const Label p : trim_.loops.polygons[k])
                     face.points.push_back(pointOf(p));
@@ -183,7 +186,8 @@ private:
         for (Label f = 0; f < mesh.faceCount(); ++f) {
             const Label own = mesh.owner[index(f)];
             const Label other = mesh.isInternal(f) ? mesh.neighbour[index(f)] : -1;
-            const bool isOfRing = isRing_[index(own)] != 0 || (other >= 0 && isRing_[index(other)] != 0);
+            const bool isOfRing =
+                isRing_[index(own)] != 0 || (other >= 0 && isRing_[index(other)] != 0);
             const bool isProbed = trim_.probe.localCell[index(own)] >= 0 ||
                                   (other >= 0 && trim_.probe.localCell[index(other)] >= 0);
             if (!isOfRing || isProbed) continue;

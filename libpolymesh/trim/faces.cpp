@@ -138,11 +138,12 @@ void listEnds(const Probe& probe,
 
 [[noreturn]] void refuseFacet(const Probe& probe, Label facet) {
     const Vec3& p = probe.nodePoints[index(probe.facetNodes[facet][0])];
-    throw WorkError(fmt::format("the surface and the mesh face at ({} {} {}) meet in a line without "
-                                "two ends; please report this surface and mesh",
-                                p.x,
-                                p.y,
-                                p.z));
+    throw WorkError(
+        fmt::format("the surface and the mesh face at ({} {} {}) meet in a line without "
+                    "two ends; please report this surface and mesh",
+                    p.x,
+                    p.y,
+                    p.z));
 }
 
 void findSegments(const Probe& probe, const CuttingSurface& cutter, Arrangement& arrangement) {

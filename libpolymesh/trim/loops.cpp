@@ -82,7 +82,8 @@ std::ptrdiff_t segmentFrom(const Walk& walk, Label point) {
 }
 
 /// Follows the curve that begins at the crossing `start` to the outline; returns the item there.
-std::size_t followCurve(Walk& walk, Label start, const PointPositions& positions, LoopPolygon& loop) {
+std::size_t
+followCurve(Walk& walk, Label start, const PointPositions& positions, LoopPolygon& loop) {
     Label at = start;
     while (true) {
         const std::ptrdiff_t s = segmentFrom(walk, at);
@@ -152,7 +153,8 @@ struct Collected {
     Label holeCount = 0;
 };
 
-void addFacets(const Probe& probe, const Arrangement& arrangement, Label first, Label last, Walk& walk) {
+void addFacets(
+    const Probe& probe, const Arrangement& arrangement, Label first, Label last, Walk& walk) {
     for (Label k = first; k < last; ++k) {
         const auto row = arrangement.segments[k];
         walk.segments.insert(walk.segments.end(), row.begin(), row.end());
@@ -176,21 +178,19 @@ Vec3 areaVector(const Probe& probe, std::span<const Label> nodes) {
     Vec3 area;
     const Vec3& a = probe.nodePoints[index(nodes[0])];
     for (std::size_t i = 1; i + 1 < nodes.size(); ++i)
-        area += cross(probe.nodePoints[index(nodes[i])] - a, probe.nodePoints[index(nodes[i + 1])] - a);
+        area +=
+            cross(probe.nodePoints[index(nodes[i])] - a, probe.nodePoints[index(nodes[i + 1])] - a);
     return area;
 }
 
 void setFaceWalk(const Probe& probe, const Arrangement& arrangement, Label f, Walk& walk) {
     walk.clear();
     const auto nodes = probe.faceNodes[f];
-    const std::span<const Label> edges{
-        probe.faceEdges.data() + probe.faceNodes.offsets[index(f)], nodes.size()};
+    const std::span<const Label> edges{probe.faceEdges.data() + probe.faceNodes.offsets[index(f)],
+                                       nodes.size()};
     addOutline(probe, arrangement, nodes, edges, walk);
-    addFacets(probe,
-              arrangement,
-              probe.facetOffsets[index(f)],
-              probe.facetOffsets[index(f) + 1],
-              walk);
+    addFacets(
+        probe, arrangement, probe.facetOffsets[index(f)], probe.facetOffsets[index(f) + 1], walk);
 }
 
 /// Walks each facet of a fan by itself: used where a closed curve runs on a face that is not plane,
@@ -232,9 +232,8 @@ void walkFace(const Probe& probe,
 
 } // namespace
 
-FaceLoops walkFaces(const Probe& probe,
-                    const Arrangement& arrangement,
-                    const PointPositions& positions) {
+FaceLoops
+walkFaces(const Probe& probe, const Arrangement& arrangement, const PointPositions& positions) {
     constexpr Label block = 1024;
     std::vector<Collected> parts(index((probe.faceCount() + block - 1) / block));
     parallelBlocks(probe.faceCount(), block, [&](Label part, Label first, Label last) {

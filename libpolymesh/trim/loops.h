@@ -26,15 +26,13 @@ using PointPositions = std::vector<Vec3>;
 /// Positions of all points of the arrangement: on the mesh edge for crossings, in the facet's plane
 /// and on the surface edge for pierces. Axis-aligned edges and facets keep their coordinate bit for
 /// bit.
-PointPositions placePoints(const Probe& probe,
-                           const CuttingSurface& cutter,
-                           const Arrangement& arrangement);
+PointPositions
+placePoints(const Probe& probe, const CuttingSurface& cutter, const Arrangement& arrangement);
 
 /// 2D: walks "domain part of the outline, crossing, curve, crossing, ..." round every face, and the
 /// closed curves inside it. Throws InputError where the walk does not close, which happens where
 /// the surface intersects itself. Cost: O(points on cut faces).
-FaceLoops walkFaces(const Probe& probe,
-                    const Arrangement& arrangement,
-                    const PointPositions& positions);
+FaceLoops
+walkFaces(const Probe& probe, const Arrangement& arrangement, const PointPositions& positions);
 
 } // namespace polymesh

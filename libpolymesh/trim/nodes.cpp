@@ -147,10 +147,9 @@ std::vector<std::int8_t> windNodes(const PolyMesh& mesh,
         int& atRoot = rootWinding[index(root)];
         if (atRoot == unknown) {
             if (element >= nodeCount && sample.empty()) sample = samplePoints(mesh);
-            const Vec3& p =
-                element < nodeCount
-                    ? probe.nodePoints[index(element)]
-                    : mesh.points[index(sample[index(element - nodeCount)])];
+            const Vec3& p = element < nodeCount
+                                ? probe.nodePoints[index(element)]
+                                : mesh.points[index(sample[index(element - nodeCount)])];
             atRoot = windingNumber(cutter, p) - number;
         }
         return static_cast<std::int8_t>(atRoot + number + shift);

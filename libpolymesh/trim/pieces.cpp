@@ -28,14 +28,18 @@ struct Collected {
     std::vector<Label> counts;
 };
 
-void listArcs(const Probe& probe, const Arrangement& arrangement, Label cell, std::vector<Arc>& arcs) {
+void listArcs(const Probe& probe,
+              const Arrangement& arrangement,
+              Label cell,
+              std::vector<Arc>& arcs) {
     arcs.clear();
     for (const Label f : probe.cellFaces[cell]) {
         const bool isOwner = probe.faceCells[index(f)][0] == cell;
         for (Label k = probe.facetOffsets[index(f)]; k < probe.facetOffsets[index(f) + 1]; ++k)
             for (const Segment& s : arrangement.segments[k])
                 // Against the face's own polygon, which runs from -> to for the owner.
-                arcs.push_back(isOwner ? Arc{s.triangle, s.to, s.from} : Arc{s.triangle, s.from, s.to});
+                arcs.push_back(isOwner ? Arc{s.triangle, s.to, s.from}
+                                       : Arc{s.triangle, s.from, s.to});
     }
     std::ranges::sort(arcs, [](const Arc& a, const Arc& b) {
         return a.triangle != b.triangle ? a.triangle < b.triangle : a.start < b.start;
@@ -43,9 +47,10 @@ void listArcs(const Probe& probe, const Arrangement& arrangement, Label cell, st
 }
 
 [[noreturn]] void refuseCell(Label meshCell) {
-    throw WorkError(fmt::format("the surface inside mesh cell {} does not close; please report this "
-                                "surface and mesh",
-                                meshCell));
+    throw WorkError(
+        fmt::format("the surface inside mesh cell {} does not close; please report this "
+                    "surface and mesh",
+                    meshCell));
 }
 
 /// Walks the outline of one triangle's part.
@@ -57,7 +62,11 @@ public:
                  Label cell,
                  std::span<Arc> arcs,
                  Collected& out)
-        : probe_(probe), cutter_(cutter), arrangement_(arrangement), cell_(cell), arcs_(arcs),
+        : probe_(probe),
+          cutter_(cutter),
+          arrangement_(arrangement),
+          cell_(cell),
+          arcs_(arcs),
           out_(out) {}
 
     void run() {
@@ -138,9 +147,8 @@ void addWholeTriangle(const CuttingSurface& cutter,
 }
 
 /// Triangles that no facet cuts, by the cell that holds them.
-Rows<Label> wholeTriangles(const Probe& probe,
-                           const CuttingSurface& cutter,
-                           const Arrangement& arrangement) {
+Rows<Label>
+wholeTriangles(const Probe& probe, const CuttingSurface& cutter, const Arrangement& arrangement) {
     std::vector<std::uint8_t> isCut(cutter.surface->triangles.size(), 0);
     for (const Segment& s : arrangement.segments.values)
         isCut[index(s.triangle)] = 1;
@@ -204,9 +212,8 @@ std::vector<Label> edgeOfIntervals(const Arrangement& arrangement) {
     return edgeOf;
 }
 
-CellPieces cutTriangles(const Probe& probe,
-                        const CuttingSurface& cutter,
-                        const Arrangement& arrangement) {
+CellPieces
+cutTriangles(const Probe& probe, const CuttingSurface& cutter, const Arrangement& arrangement) {
     const Rows<Label> whole = wholeTriangles(probe, cutter, arrangement);
     constexpr Label block = 512;
     std::vector<Collected> parts(index((probe.cellCount() + block - 1) / block));

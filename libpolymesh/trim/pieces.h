@@ -32,8 +32,7 @@ std::vector<Label> edgeOfIntervals(const Arrangement& arrangement);
 
 /// 3D: walks each triangle's part in each cell, from facet to facet and along the triangle's edges.
 /// Throws WorkError where a walk does not close (a bug, never the input). Cost: O(segments).
-CellPieces cutTriangles(const Probe& probe,
-                        const CuttingSurface& cutter,
-                        const Arrangement& arrangement);
+CellPieces
+cutTriangles(const Probe& probe, const CuttingSurface& cutter, const Arrangement& arrangement);
 
 } // namespace polymesh

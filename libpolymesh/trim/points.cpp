@@ -51,13 +51,11 @@ Vec3 placePierce(const Probe& probe, const CuttingSurface& cutter, const FacePie
 
 } // namespace
 
-PointPositions placePoints(const Probe& probe,
-                           const CuttingSurface& cutter,
-                           const Arrangement& arrangement) {
+PointPositions
+placePoints(const Probe& probe, const CuttingSurface& cutter, const Arrangement& arrangement) {
     PointPositions points(index(arrangement.firstVertex()) + cutter.surface->points.size());
     std::ranges::copy(probe.nodePoints, points.begin());
-    std::ranges::copy(cutter.surface->points,
-                      points.begin() + arrangement.firstVertex());
+    std::ranges::copy(cutter.surface->points, points.begin() + arrangement.firstVertex());
     parallelFor(probe.edgeCount(), [&](Label e) {
         for (Label x = arrangement.crossings.offsets[index(e)];
              x < arrangement.crossings.offsets[index(e) + 1];

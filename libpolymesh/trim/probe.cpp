@@ -24,8 +24,7 @@ bool planeMisses(const TriSurface& surface, Label triangle, const Box& box) {
     const Vec3 n = cross(surface.corner(triangle, 1) - a, surface.corner(triangle, 2) - a);
     const Vec3 half = 0.5 * box.size();
     const Vec3 toCentre = box.centre() - a;
-    const double reach =
-        std::abs(n.x) * half.x + std::abs(n.y) * half.y + std::abs(n.z) * half.z;
+    const double reach = std::abs(n.x) * half.x + std::abs(n.y) * half.y + std::abs(n.z) * half.z;
     const double scale = std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
     const double slack = 1e-9 * scale * (norm(toCentre) + norm(half));
     return std::abs(dot(n, toCentre)) > reach + slack;
@@ -39,9 +38,8 @@ double meanCellSize(const PolyMesh& mesh) {
 }
 
 /// Cells whose range of bins holds a triangle: 1, else 0.
-std::vector<std::uint8_t> findNearCells(const PolyMesh& mesh,
-                                        const TriangleBins& bins,
-                                        std::vector<Range>& cellRanges) {
+std::vector<std::uint8_t>
+findNearCells(const PolyMesh& mesh, const TriangleBins& bins, std::vector<Range>& cellRanges) {
     std::vector<TriangleBins::Index> binOf(mesh.points.size());
     parallelFor(mesh.pointCount(),
                 [&](Label p) { binOf[index(p)] = bins.binOf(mesh.points[index(p)]); });
@@ -54,9 +52,8 @@ std::vector<std::uint8_t> findNearCells(const PolyMesh& mesh,
         if (mesh.isInternal(f)) cellRanges[index(mesh.neighbour[index(f)])].add(range);
     }
     std::vector<std::uint8_t> isNear(index(mesh.cellCount));
-    parallelFor(mesh.cellCount, [&](Label c) {
-        isNear[index(c)] = bins.isOccupied(cellRanges[index(c)]) ? 1 : 0;
-    });
+    parallelFor(mesh.cellCount,
+                [&](Label c) { isNear[index(c)] = bins.isOccupied(cellRanges[index(c)]) ? 1 : 0; });
     return isNear;
 }
 
@@ -146,12 +143,14 @@ void numberNodes(const PolyMesh& mesh, Probe& probe) {
 }
 
 /// Whether any triangle of the face's cell comes near the face: else it is not cut.
-bool mayBeCut(const Probe& probe, const std::vector<Box>& triangleBoxes, Label face, const Box& box) {
+bool mayBeCut(const Probe& probe,
+              const std::vector<Box>& triangleBoxes,
+              Label face,
+              const Box& box) {
     const auto& cells = probe.faceCells[index(face)];
     const Label cell = cells[0] >= 0 ? cells[0] : cells[1];
-    return std::ranges::any_of(probe.triangles[cell], [&](Label t) {
-        return overlaps(triangleBoxes[index(t)], box);
-    });
+    return std::ranges::any_of(probe.triangles[cell],
+                               [&](Label t) { return overlaps(triangleBoxes[index(t)], box); });
 }
 
 /// Whether the face must be cut into a fan: 1, else 0.
@@ -194,10 +193,12 @@ void addFacets(const std::vector<std::uint8_t>& isFan, Probe& probe) {
 /// Numbers the edges of all facets in the order of their lower node, then their higher one.
 void numberEdges(Probe& probe) {
     const auto& corners = probe.facetNodes;
+
     struct Use {
         Label high;
         Label corner;
     };
+
     Rows<Use> uses; // by lower node
     uses.offsets.assign(index(probe.nodeCount()) + 1, 0);
     std::vector<Label> nextNode(corners.values.size());
@@ -269,8 +270,7 @@ Probe buildProbe(const PolyMesh& mesh,
     std::vector<std::uint8_t> isNear = findNearCells(mesh, bins, cellRanges);
     Probe probe;
     addCells(mesh, isNear, probe);
-    Rows<Label> triangles =
-        findTriangles(mesh, surface, triangleBoxes, bins, cellRanges, probe);
+    Rows<Label> triangles = findTriangles(mesh, surface, triangleBoxes, bins, cellRanges, probe);
     for (Label c = 0; c < probe.cellCount(); ++c)
         if (triangles.rowSize(c) == 0) isNear[index(probe.cells[index(c)])] = 0;
     addCells(mesh, isNear, probe);

@@ -26,18 +26,18 @@ struct Probe {
     Rows<Label> triangles;        // local cell -> triangles that may touch it, ascending
     Rows<Label> cellFaces;        // local cell -> local faces, ascending
 
-    std::vector<Label> faces;             // local face -> mesh face
+    std::vector<Label> faces;                    // local face -> mesh face
     std::vector<std::array<Label, 2>> faceCells; // owner and neighbour as local cells, or -1
-    Rows<Label> faceNodes;                // local face -> local nodes, in the face's order
-    std::vector<Label> faceEdges;         // beside faceNodes.values: edge to the next node
+    Rows<Label> faceNodes;                       // local face -> local nodes, in the face's order
+    std::vector<Label> faceEdges;                // beside faceNodes.values: edge to the next node
 
     std::vector<Label> facetOffsets; // local face -> its facets: [offsets[f], offsets[f + 1])
     std::vector<Label> facetFace;    // facet -> local face
     Rows<Label> facetNodes;          // facet -> local nodes
     std::vector<Label> facetEdges;   // beside facetNodes.values
 
-    std::vector<Label> nodes;      // local node -> mesh point; fan centres follow the mesh points
-    std::vector<Vec3> nodePoints;  // local node, fan centres included
+    std::vector<Label> nodes;     // local node -> mesh point; fan centres follow the mesh points
+    std::vector<Vec3> nodePoints; // local node, fan centres included
     std::vector<std::array<Label, 2>> edges; // local nodes
     std::vector<Label> edgeCell;             // one local cell round the edge
     std::vector<std::uint8_t> isFanEdge;     // inside a face

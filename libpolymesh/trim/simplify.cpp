@@ -43,8 +43,12 @@ public:
                    const Fidelity& fidelity,
                    FaceLoops& loops)
         : input_{probe, cutter, arrangement, positions, pieces, edgeOfIntervals(arrangement)},
-          cellSizes_(cellSizes), fidelity_(fidelity), limits_(sharpnessLimits(fidelity)),
-          loops_(loops), level_(index(probe.cellCount()), 0), isDirty_(index(probe.cellCount()), 1) {}
+          cellSizes_(cellSizes),
+          fidelity_(fidelity),
+          limits_(sharpnessLimits(fidelity)),
+          loops_(loops),
+          level_(index(probe.cellCount()), 0),
+          isDirty_(index(probe.cellCount()), 1) {}
 
     BoundaryPolygons run() {
         parallelFor(cellCount(), [&](Label c) { raise(c); });
@@ -74,7 +78,8 @@ private:
 
     void group(Label c, CellGroups& groups) {
         const double limit = limits_[level_[index(c)]];
-        groups.build(input_, c, [&](Label edge) { return fidelity_.sharpness[index(edge)] > limit; });
+        groups.build(
+            input_, c, [&](Label edge) { return fidelity_.sharpness[index(edge)] > limit; });
     }
 
     /// Raises a cell's level until its groups are discs, and keeps the pierces that bound them.
@@ -179,7 +184,8 @@ private:
                 const Label before = part.polygons.size();
                 if (isCut(c)) {
                     group(c, groups);
-                    groups.reduce(input_, fidelity_.deviation > 0 ? toleranceOf(c) : 0.0,
+                    groups.reduce(input_,
+                                  fidelity_.deviation > 0 ? toleranceOf(c) : 0.0,
                                   [&](Label p) { return isKept(p); });
                     for (const CellGroups::Face& face : groups.faces()) {
                         part.polygons.add(
@@ -234,8 +240,7 @@ BoundaryPolygons simplify(const Probe& probe,
                           const std::vector<double>& cellSizes,
                           const Fidelity& fidelity,
                           FaceLoops& loops) {
-    return Simplification(
-               probe, cutter, arrangement, positions, pieces, cellSizes, fidelity, loops)
+    return Simplification(probe, cutter, arrangement, positions, pieces, cellSizes, fidelity, loops)
         .run();
 }
 

@@ -32,9 +32,9 @@ struct BoundaryPolygons {
 ///
 /// A decision about a pierce is taken once for the two cells that share it, so that cells stay
 /// closed. Where joining would make an invalid cell (a face that is not a disc or has fewer than
-/// three points, two faces with the same points, fewer than four faces, no volume) or would miss the
-/// surface by more than the deviation, more is kept in that cell, up to everything.
-/// Source: paper, section 2.3 (reconstruction from node information); the deviation test is ours.
+/// three points, two faces with the same points, fewer than four faces, no volume) or would miss
+/// the surface by more than the deviation, more is kept in that cell, up to everything. Source:
+/// paper, section 2.3 (reconstruction from node information); the deviation test is ours.
 BoundaryPolygons simplify(const Probe& probe,
                           const CuttingSurface& cutter,
                           const Arrangement& arrangement,

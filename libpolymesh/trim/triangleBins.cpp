@@ -28,7 +28,8 @@ Polygon clipped(const Polygon& polygon, int axis, double low, double high) {
             const double da = sign * (a[axis] - limit);
             const double db = sign * (b[axis] - limit);
             if (da <= 0) to.push_back(a);
-            if ((da < 0 && db > 0) || (da > 0 && db < 0)) to.push_back(a + da / (da - db) * (b - a));
+            if ((da < 0 && db > 0) || (da > 0 && db < 0))
+                to.push_back(a + da / (da - db) * (b - a));
         }
     };
     clip(polygon, half, low, -1);
@@ -82,10 +83,12 @@ TriangleBins::TriangleBins(const TriSurface& surface, double binSize)
 
     // Clipping rounds, so slabs are widened by more than it can err.
     const double slack = 1e-9 * largest;
+
     struct Pair {
         Label bin;
         Label triangle;
     };
+
     constexpr Label block = 1024;
     const Label blocks = (surface.triangleCount() + block - 1) / block;
     std::vector<std::vector<Pair>> pairs(index(blocks));
@@ -167,7 +170,8 @@ TriangleBins::Index TriangleBins::binOf(const Vec3& p) const {
     for (int axis = 0; axis < 3; ++axis) {
         const auto a = static_cast<std::size_t>(axis);
         const double bin = std::floor((p[axis] - box_.min[axis]) / size_[axis]);
-        result[a] = static_cast<std::int16_t>(std::clamp(bin, -1.0, static_cast<double>(count_[a])));
+        result[a] =
+            static_cast<std::int16_t>(std::clamp(bin, -1.0, static_cast<double>(count_[a])));
     }
     return result;
 }

@@ -47,7 +47,7 @@ private:
     Box box_;
     Vec3 size_;
     std::array<int, 3> count_{1, 1, 1};
-    Rows<Label> triangles_;      // one row per bin
+    Rows<Label> triangles_;       // one row per bin
     std::vector<Label> sumTable_; // occupied bins in [0, i) x [0, j) x [0, k)
 };
 

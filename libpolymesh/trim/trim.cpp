@@ -4,9 +4,7 @@
 
 #include "libpolymesh/base/error.h"
 #include "libpolymesh/base/parallel.h"
-#include "libpolymesh/quality/collapsePoints.h"
-#include "libpolymesh/quality/mergeCells.h"
-#include "libpolymesh/quality/removeZeroSize.h"
+#include "libpolymesh/quality/cleanUp.h"
 #include "libpolymesh/surface/features.h"
 #include "libpolymesh/surface/triangleBoxes.h"
 #include "libpolymesh/trim/arrangement.h"
@@ -55,11 +53,21 @@ std::vector<double> probedCellSizes(const Probe& probe) {
 }
 
 /// Collapses what coincides, then what the user wants cleaned up.
-void cleanUp(EditPart& part, const TrimOptions& options, TrimSummary& summary) {
-    MeshEditor editor(part.mesh);
-    collapsePoints(editor, part.representative);
-    removeZeroSize(editor);
-    if (options.minVolume > 0) summary.mergedCells = mergeSmallCells(editor, options.minVolume);
+void tidy(EditPart& part, const TrimOptions& options, TrimSummary& summary) {
+    const CleanUpCounts counts = cleanUp(part.mesh,
+                                         part.representative,
+                                         {.minEdge = options.minEdge,
+                                          .minVolume = options.minVolume,
+                                          .mendsCells = options.mendsCells});
+    summary.mergedCells = counts.zeroCells + counts.mergedCells;
+    summary.collapsedEdges = counts.collapsedEdges;
+    summary.splitCells = counts.cutCells;
+    summary.repairs = counts.repairs;
+    summary.badCells = counts.badCells;
+    if (counts.brokenCells != 0)
+        throw WorkError(
+            fmt::format("clean-up left {} cells open; please report this surface and mesh",
+                        counts.brokenCells));
 }
 
 void count(const EditPart& part, const PolyMesh& result, TrimSummary& summary) {
@@ -118,7 +126,7 @@ Trimmed trim(const PolyMesh& mesh, TriSurface surface, const TrimOptions& option
                                    cellSizes},
                                   features,
                                   mergeCoincident(probe, cutter, arrangement));
-    cleanUp(part, options, result.summary);
+    tidy(part, options, result.summary);
 
     options.onStage("assemble");
     std::vector<std::string> types = options.regionTypes;

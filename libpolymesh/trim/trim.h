@@ -22,6 +22,7 @@ struct TrimOptions {
     double featureAngle = 0.5236; // [rad] sharper edges of the surface are edges of the mesh
     double minEdge = 0.05;        // shorter edges are collapsed, fraction of the cell size; 0: off
     double minVolume = 0.05;      // smaller cells are merged, fraction of the cell; 0: off
+    bool mendsCells = true;       // split concave cells, repair what checkMesh would fail
     /// Patch type of each region; empty: wall for all.
     std::vector<std::string> regionTypes;
     /// Called with the name of each stage when it begins.
@@ -34,9 +35,11 @@ struct TrimSummary {
     Label trimmedCells = 0;   // cut by the surface
     Label mergedCells = 0;    // small ones that went to a neighbour
     Label collapsedEdges = 0;
-    Label splitCells = 0;     // concave cells that were divided
-    Label holedFaces = 0;     // faces with a hole, cut open
-    Label featureEdges = 0;   // of the surface
+    Label splitCells = 0;   // cuts of concave cells
+    Label repairs = 0;      // other local changes for the sake of quality
+    Label badCells = 0;     // cells left that checkMesh will fail
+    Label holedFaces = 0;   // faces with a hole, cut open
+    Label featureEdges = 0; // of the surface
     Label featureCorners = 0;
 };
 

@@ -12,9 +12,10 @@ namespace polymesh {
 
 /// The probed cells as they will be: connected pieces of the cell inside the surface.
 struct TrimmedCells {
-    std::vector<Label> localCell;                  // new cell -> local cell, ascending
-    std::vector<std::array<Label, 2>> polygonCells; // polygon of a mesh face -> new owner, neighbour
-    std::vector<Label> boundaryCells;              // boundary polygon -> new cell
+    std::vector<Label> localCell; // new cell -> local cell, ascending
+    std::vector<std::array<Label, 2>>
+        polygonCells;                 // polygon of a mesh face -> new owner, neighbour
+    std::vector<Label> boundaryCells; // boundary polygon -> new cell
 
     Label cellCount() const { return toLabel(localCell.size()); }
 };

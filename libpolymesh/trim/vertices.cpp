@@ -67,11 +67,12 @@ void locateFromPierces(const Probe& probe, const CuttingSurface& cutter, Arrange
         Label& known = arrangement.vertexCell[index(vertex)];
         if (known != unknown && known != cell) {
             const Vec3& p = cutter.surface->points[index(vertex)];
-            throw WorkError(fmt::format("the surface point ({} {} {}) seems to be in two cells: the "
-                                        "mesh overlaps itself there; check it with checkMesh",
-                                        p.x,
-                                        p.y,
-                                        p.z));
+            throw WorkError(
+                fmt::format("the surface point ({} {} {}) seems to be in two cells: the "
+                            "mesh overlaps itself there; check it with checkMesh",
+                            p.x,
+                            p.y,
+                            p.z));
         }
         known = cell;
     };
@@ -114,8 +115,11 @@ Label searchCell(const Probe& probe, Label triangle, const Vec3& p, double far) 
 }
 
 /// Carries cells over edges without pierces.
-void spread(const CuttingSurface& cutter, const Arrangement& arrangement, std::vector<Label>& front,
-            const Rows<Label>& edgesOf, std::vector<Label>& vertexCell) {
+void spread(const CuttingSurface& cutter,
+            const Arrangement& arrangement,
+            std::vector<Label>& front,
+            const Rows<Label>& edgesOf,
+            std::vector<Label>& vertexCell) {
     while (!front.empty()) {
         const Label v = front.back();
         front.pop_back();

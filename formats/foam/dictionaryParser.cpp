@@ -97,6 +97,7 @@ private:
     void include(bool optional);
     std::string expandEnvironment(const std::string& name) const;
     const Entry* findMacro(std::string_view name) const;
+    void skipNestedMacro();
     const Entry& readMacro();
     void countCopy(const Entry& entry);
     void copyMacro(std::vector<Value>& values);
@@ -485,6 +486,14 @@ const Entry* Parser::findMacro(std::string_view name) const {
     return nullptr;
 }
 
+/// Moves to the } that closes ${a${b}}.
+void Parser::skipNestedMacro() {
+    for (int depth = 0; !atEnd() && look() != '\n' && !(look() == '}' && depth == 0); ++here_) {
+        if (look() == '{') ++depth;
+        if (look() == '}') --depth;
+    }
+}
+
 /// Reads $name and returns the entry that it means.
 const Entry& Parser::readMacro() {
     ++here_;
@@ -494,11 +503,14 @@ const Entry& Parser::readMacro() {
     while (isMacroLetter(look()))
         ++here_;
     const std::string_view name(start, static_cast<std::size_t>(here_ - start));
+    const bool nested = braced && look() == '$';
+    if (nested) skipNestedMacro();
     if (braced && look() != '}') fail("${{{}: a }} is missing", name);
     if (braced) ++here_;
-    const Entry* entry = findMacro(name);
+    const Entry* entry = nested ? nullptr : findMacro(name);
     if (entry != nullptr) return *entry;
     if (session_.directives == Directives::skip) throw Skipped{};
+    if (nested) fail("a macro whose name holds another one is not supported");
     fail("${}: there is no such entry before this line", name);
 }
 

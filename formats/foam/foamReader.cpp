@@ -107,7 +107,7 @@ std::string FoamReader::found() {
     constexpr std::ptrdiff_t longest = 30;
     std::string text = "'";
     for (const char* c = file_.here(); c != file_.end() && c - file_.here() < longest; ++c) {
-        if (c != file_.here() && isBlank(*c)) break;
+        if (c != file_.here() && (isDelimiter(*c) || isDelimiter(*file_.here()))) break;
         text += *c >= ' ' && *c <= '~' ? *c : '?';
     }
     return text + "'";

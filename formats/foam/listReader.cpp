@@ -12,10 +12,14 @@ namespace {
 
 constexpr std::int64_t mostLabels = std::numeric_limits<Label>::max();
 
-/// The element count that a list begins with, checked against what the file can hold.
-std::size_t checkedCount(FoamReader& reader, std::int64_t count, std::size_t leastBytesEach) {
+void checkRange(FoamReader& reader, std::int64_t count) {
     if (count < 0 || count >= mostLabels)
         reader.fail("list of {} elements: expected 0 to {}", count, mostLabels - 1);
+}
+
+/// The element count that a list begins with, checked against what the file can hold.
+std::size_t checkedCount(FoamReader& reader, std::int64_t count, std::size_t leastBytesEach) {
+    checkRange(reader, count);
     const auto size = static_cast<std::size_t>(count);
     if (size > (reader.file().mostBytesLeft() + 1) / leastBytesEach)
         reader.fail("list of {} elements: the file is too short for them; it was truncated or "
@@ -108,8 +112,9 @@ void readTextList(FoamReader& reader, Sink& sink, Label mostEqual, ReadElement&&
         return;
     }
     const std::int64_t count = reader.integer("list length");
+    checkRange(reader, count);
     if (reader.accept('{')) {
-        if (count < 0 || count > mostEqual)
+        if (count > mostEqual)
             reader.fail("list of {} equal elements: expected at most {}", count, mostEqual);
         sink.assign(static_cast<std::size_t>(count), readElement());
         reader.expect('}', "list of equal elements");

@@ -32,8 +32,9 @@ std::string readPlain(const std::filesystem::path& path) {
     require(file != nullptr, "{}: cannot open: {}", path.string(), std::strerror(errno));
     std::string bytes;
     std::size_t size = 0;
-    std::size_t capacity =
-        std::filesystem::file_size(path) + 1; // + 1 so that one read sees the end
+    std::error_code notRegular; // such as a pipe: its size shows in reading
+    const auto fileSize = std::filesystem::file_size(path, notRegular);
+    std::size_t capacity = notRegular ? chunkSize : fileSize + 1; // + 1: one read sees the end
     do {
         bytes.resize(capacity);
         size += std::fread(bytes.data() + size, 1, bytes.size() - size, file.get());

@@ -26,13 +26,13 @@ public:
 
     /// Puts triangles without an angle last, by label.
     void sort(Uses& uses) {
-        const auto flat = std::ranges::stable_partition(
-            uses, [&](const EdgeUse& use) { return !areCollinear(lower_, upper_, apex(use)); });
-        if (flat.begin() == uses.begin()) return;
-        reference_ = apex(uses.front());
-        std::sort(uses.begin(), flat.begin(), [&](const EdgeUse& a, const EdgeUse& b) {
-            return isBefore(a, b);
+        const auto flat = std::stable_partition(uses.begin(), uses.end(), [&](const EdgeUse& use) {
+            return !areCollinear(lower_, upper_, apex(use));
         });
+        if (flat == uses.begin()) return;
+        reference_ = apex(uses.front());
+        std::sort(
+            uses.begin(), flat, [&](const EdgeUse& a, const EdgeUse& b) { return isBefore(a, b); });
     }
 
 private:

@@ -5,6 +5,8 @@
 #include "libpolymesh/trim/chains.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <span>
 
 namespace polymesh {
@@ -57,31 +59,61 @@ Label CellGroups::root(Label piece) {
     return piece;
 }
 
-void CellGroups::build(const CellInput& input, Label cell, const EdgeTest& isBorder) {
+void CellGroups::build(const CellInput& input, Label cell, const Limit& limit) {
     cell_ = cell;
     firstPiece_ = input.pieces.offsets[index(cell)];
     pieceCount_ = input.pieces.offsets[index(cell) + 1] - firstPiece_;
-    joinPieces(input, isBorder);
+    joinPieces(input, limit);
     listOutlines(input);
     walkOutlines(input);
 }
 
-void CellGroups::joinPieces(const CellInput& input, const EdgeTest& isBorder) {
+/// Whether the groups of roots a and b may be one; if so its cone is stored at the lower root.
+bool CellGroups::fits(Label a, Label b, double cone) {
+    const Cone& one = cones_[index(a)];
+    const Cone& other = cones_[index(b)];
+    Cone both;
+    both.sum = one.sum + other.sum;
+    const auto angle = [](const Vec3& u, const Vec3& v) {
+        return std::atan2(norm(cross(u, v)), dot(u, v));
+    };
+    both.angle =
+        std::max(one.angle + angle(one.sum, both.sum), other.angle + angle(other.sum, both.sum));
+    if (both.angle > cone) return false;
+    cones_[index(std::min(a, b))] = both;
+    return true;
+}
+
+void CellGroups::joinPieces(const CellInput& input, const Limit& limit) {
+    const bool hasCone = limit.cone < std::numbers::pi;
     parent_.resize(index(pieceCount_));
+    cones_.clear();
     entries_.clear();
     for (Label i = 0; i < pieceCount_; ++i) {
         parent_[index(i)] = i;
         for (const Label interval : intervalsOf(input.pieces, firstPiece_ + i))
             if (interval >= 0) entries_.push_back({interval, i});
+        if (hasCone) {
+            const auto t = input.cutter.triangle(input.pieces.triangle[index(firstPiece_ + i)]);
+            cones_.push_back({cross(t[1] - t[0], t[2] - t[0]), 0});
+        }
     }
     std::ranges::sort(entries_, [](const Entry& a, const Entry& b) {
         return a.interval != b.interval ? a.interval < b.interval : a.piece < b.piece;
     });
+    joins_.clear();
     for (std::size_t k = 0; k + 1 < entries_.size(); ++k) {
         if (entries_[k].interval != entries_[k + 1].interval) continue;
-        if (isBorder(input.edgeOfInterval[index(entries_[k].interval)])) continue;
-        const Label a = root(entries_[k].piece);
-        const Label b = root(entries_[k + 1].piece);
+        const double sharpness =
+            limit.sharpness[index(input.edgeOfInterval[index(entries_[k].interval)])];
+        if (sharpness <= limit.sharpest)
+            joins_.push_back({sharpness, entries_[k].piece, entries_[k + 1].piece});
+    }
+    if (hasCone) std::ranges::stable_sort(joins_, {}, &Join::sharpness);
+    for (const Join& join : joins_) {
+        const Label a = root(join.a);
+        const Label b = root(join.b);
+        if (a == b || (hasCone && !fits(a, b, limit.cone))) continue;
         parent_[index(std::max(a, b))] = std::min(a, b);
     }
 }

@@ -30,11 +30,20 @@ public:
         Label region = -1;
     };
 
-    using EdgeTest = std::function<bool(Label)>;  // of surface edges
     using PointTest = std::function<bool(Label)>; // of points of the arrangement
 
-    /// Joins the cell's pieces across every surface edge for which isBorder is false.
-    void build(const CellInput& input, Label cell, const EdgeTest& isBorder);
+    /// Which pieces of a cell may belong together.
+    struct Limit {
+        /// Edges sharper than this [rad] stay; one value per surface edge.
+        const std::vector<double>& sharpness;
+        double sharpest = 0;
+        /// No piece of a group may turn from the group's mean normal by more than this [rad]; pi
+        /// and more: no limit.
+        double cone = 4;
+    };
+
+    /// Joins the cell's pieces as far as the limit allows, the flattest edges first.
+    void build(const CellInput& input, Label cell, const Limit& limit);
 
     /// Whether every group has one outline that does not touch itself.
     bool areDiscs() const { return areDiscs_; }
@@ -62,6 +71,19 @@ private:
         Label piece;
     };
 
+    /// Normals of a group: their sum, weighted with the area, and how far one turns from it.
+    struct Cone {
+        Vec3 sum;
+        double angle = 0;
+    };
+
+    /// An edge across which two pieces may be joined.
+    struct Join {
+        double sharpness;
+        Label a;
+        Label b;
+    };
+
     struct OutlineEdge {
         Label group;
         Label from;
@@ -70,7 +92,8 @@ private:
     };
 
     Label root(Label piece);
-    void joinPieces(const CellInput& input, const EdgeTest& isBorder);
+    void joinPieces(const CellInput& input, const Limit& limit);
+    bool fits(Label a, Label b, double cone);
     void listOutlines(const CellInput& input);
     void walkOutlines(const CellInput& input);
     void keepVertices(const CellInput& input, double tolerance);
@@ -80,6 +103,8 @@ private:
     Label pieceCount_ = 0;
     bool areDiscs_ = true;
     std::vector<Label> parent_; // of pieces, for joining
+    std::vector<Cone> cones_;   // of the groups' roots
+    std::vector<Join> joins_;
     std::vector<Entry> entries_;
     std::vector<OutlineEdge> edges_;
     std::vector<Label> borderEnds_;

@@ -9,19 +9,33 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <numbers>
+
 
 namespace polymesh {
 
 namespace {
 
-/// What is kept, from little to everything: an edge is kept where it is sharper than the limit.
-std::array<double, 4> sharpnessLimits(const Fidelity& fidelity) {
-    if (fidelity.deviation <= 0) return {-0.5, -0.5, -0.5, -2};
-    return {fidelity.featureAngle, 0.5 * fidelity.featureAngle, -0.5, -2};
-}
+/// How much is joined at one level.
+struct Level {
+    double sharpest; // [rad] sharper edges are kept
+    double cone;     // [rad] see CellGroups::Limit
+};
 
-constexpr std::uint8_t lastLevel = 3;
+constexpr std::uint8_t lastLevel = 4;
+
+/// From much to nothing. Where only features are kept at first, faces that bend more and more are
+/// taken apart next: few faces for what the tolerance needs, however fine the triangles are.
+std::array<Level, lastLevel + 1> levels(const Fidelity& fidelity) {
+    constexpr double any = 4;
+    constexpr Level everything{-2, any};
+    if (fidelity.deviation <= 0) {
+        constexpr Level flat{-0.5, any};
+        return {flat, flat, flat, flat, everything};
+    }
+    const double sharp = fidelity.featureAngle;
+    return {
+        Level{sharp, any}, Level{sharp, 0.7}, Level{sharp, 0.35}, Level{sharp, 0.12}, everything};
+}
 
 void set(std::uint8_t& flag) {
     std::atomic_ref<std::uint8_t>(flag).store(1, std::memory_order_relaxed);
@@ -45,7 +59,7 @@ public:
         : input_{probe, cutter, arrangement, positions, pieces, edgeOfIntervals(arrangement)},
           cellSizes_(cellSizes),
           fidelity_(fidelity),
-          limits_(sharpnessLimits(fidelity)),
+          levels_(levels(fidelity)),
           loops_(loops),
           level_(index(probe.cellCount()), 0),
           isDirty_(index(probe.cellCount()), 1) {}
@@ -77,9 +91,8 @@ private:
     void keep(Label point) { set(loops_.isNeeded[index(point - input_.arrangement.nodeCount)]); }
 
     void group(Label c, CellGroups& groups) {
-        const double limit = limits_[level_[index(c)]];
-        groups.build(
-            input_, c, [&](Label edge) { return fidelity_.sharpness[index(edge)] > limit; });
+        const Level& level = levels_[level_[index(c)]];
+        groups.build(input_, c, {fidelity_.sharpness, level.sharpest, level.cone});
     }
 
     /// Raises a cell's level until its groups are discs, and keeps the pierces that bound them.
@@ -224,7 +237,7 @@ private:
     CellInput input_;
     const std::vector<double>& cellSizes_;
     const Fidelity& fidelity_;
-    std::array<double, 4> limits_;
+    std::array<Level, lastLevel + 1> levels_;
     FaceLoops& loops_;
     std::vector<std::uint8_t> level_;
     std::vector<std::uint8_t> isDirty_;

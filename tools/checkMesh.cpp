@@ -5,9 +5,13 @@
 
 #include "formats/foam/polyMeshIo.h"
 #include "formats/foam/sets.h"
+#include "formats/surfaceIo.h"
 #include "libpolymesh/quality/checks.h"
+#include "tools/checkCompare.h"
 #include "tools/checkReport.h"
 #include "tools/toolMain.h"
+
+#include <optional>
 
 namespace polymesh::tools {
 
@@ -21,6 +25,8 @@ const ToolDescription description{
 const std::vector<Option> options{
     {"allTopology", "", "check edges of cells and shared points of faces too"},
     {"allGeometry", "", "check tetrahedra, edges, flatness, determinants, weights and ratios too"},
+    {"surface", "FILE", "compare volume, area and distances with this surface [m]"},
+    {"tetgen", "", "compare volumes of cells, and of the surface, with TetGen's"},
     {"noSets", "", "do not write the offenders to constant/polyMesh/sets"}};
 
 foam::SetKind setKind(ElementKind kind) {
@@ -35,6 +41,17 @@ foam::SetKind setKind(ElementKind kind) {
     return foam::SetKind::cell;
 }
 
+/// Writes the cells of each region when there are several.
+void writeRegions(const std::filesystem::path& meshDir, const TopologyFacts& facts) {
+    if (facts.regionSizes.size() < 2) return;
+    std::vector<std::vector<Label>> cells(facts.regionSizes.size());
+    for (std::size_t cell = 0; cell < facts.cellRegion.size(); ++cell)
+        cells[index(facts.cellRegion[cell])].push_back(toLabel(cell));
+    for (std::size_t region = 0; region < cells.size(); ++region)
+        foam::writeSet(
+            meshDir, foam::SetKind::cell, fmt::format("region{}", region), cells[region]);
+}
+
 /// Writes the offenders of each check as OpenFOAM does, and removes what an earlier run left.
 void writeSets(const std::filesystem::path& meshDir, const MeshReport& report) {
     for (std::size_t i = 0; i < checkCount; ++i) {
@@ -47,6 +64,20 @@ void writeSets(const std::filesystem::path& meshDir, const MeshReport& report) {
         else if (!name.empty())
             std::filesystem::remove(meshDir / "sets" / name, ignored);
     }
+    writeRegions(meshDir, report.topology);
+}
+
+void compare(ToolRun& tool, const PolyMesh& mesh) {
+    const Settings& settings = tool.settings;
+    std::optional<TriSurface> surface;
+    if (settings.has("surface")) {
+        tool.clock.start("surface");
+        surface = readSurface(tool.surfaceFile(settings.text("surface")));
+        compareWithSurface(tool, mesh, *surface);
+    }
+    if (!settings.isOn("tetgen")) return;
+    tool.clock.start("tetgen");
+    compareWithTetgen(tool, mesh, surface ? &*surface : nullptr);
 }
 
 ExitCode run(ToolRun& tool) {
@@ -58,6 +89,7 @@ ExitCode run(ToolRun& tool) {
     const MeshReport report = checkMesh(mesh, checkOptions);
     tool.report.update(reportJson(mesh, report));
     tool.say("{}", reportText(mesh, report, 6));
+    compare(tool, mesh);
     if (!tool.settings.isOn("noSets")) writeSets(tool.meshDir(), report);
     tool.say("{}\n", verdictText(report));
     return report.isOk() ? ExitCode::success : ExitCode::failure;

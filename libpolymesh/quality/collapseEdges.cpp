@@ -4,8 +4,8 @@
 
 #include "libpolymesh/base/parallel.h"
 #include "libpolymesh/quality/cellTopology.h"
+#include "libpolymesh/quality/collapsePoints.h"
 #include "libpolymesh/quality/polygons.h"
-#include "libpolymesh/quality/removeZeroSize.h"
 
 #include <algorithm>
 #include <cmath>
@@ -105,11 +105,89 @@ EdgeKind edgeKind(MeshEditor& editor, Label a, Label b) {
     return kind;
 }
 
+// Cells with more faces are too dear to judge at every step; for them only faces round the edge
+// are.
+constexpr std::size_t manyFaces = 64;
+
+std::vector<Label> judgedCells(const MeshEditor& editor, const std::vector<Label>& cells) {
+    std::vector<Label> judged = cells;
+    std::erase_if(judged, [&](Label c) { return editor.cell(c).faces.size() > manyFaces; });
+    return judged;
+}
+
+/// The corners next to `p` in the faces of a cell, and the faces: what a collapse has to look at.
+struct Link {
+    std::vector<Label> faces;
+    std::vector<Label> points; // ascending, each once
+
+    Link(const MeshEditor& editor, Label cell, Label p) {
+        for (const Label f : editor.facesOfPoint(p)) {
+            const EditFace& face = editor.face(f);
+            if (face.owner != cell && face.neighbour != cell) continue;
+            faces.push_back(f);
+            points.push_back(cornerBefore(face.points, p));
+            points.push_back(cornerAfter(face.points, p));
+        }
+        std::sort(points.begin(), points.end());
+        points.erase(std::unique(points.begin(), points.end()), points.end());
+    }
+};
+
+/// The link condition: after the collapse the cell is still a ball, or it is flat and vanishes.
+bool linkAllows(const MeshEditor& editor, Label cell, Label a, Label b) {
+    const Link atB(editor, cell, b);
+    if (atB.faces.empty()) return true;
+    const Link atA(editor, cell, a);
+    std::vector<Label> apexes;
+    std::size_t sharing = 0;
+    for (const Label f : atA.faces) {
+        const Polygon& polygon = editor.face(f).points;
+        if (!hasPoint(polygon, b)) continue;
+        ++sharing;
+        if (polygon.size() == 3)
+            for (const Label p : polygon)
+                if (p != a && p != b) apexes.push_back(p);
+    }
+    return sharing == 2 && std::all_of(atA.points.begin(), atA.points.end(), [&](Label p) {
+               return !std::binary_search(atB.points.begin(), atB.points.end(), p) ||
+                      std::find(apexes.begin(), apexes.end(), p) != apexes.end();
+           });
+}
+
+/// Removes the cells that the collapse has made flat; false when one is left with too few faces.
+bool removeFlatCells(MeshEditor& editor, const std::vector<Label>& cells) {
+    for (const Label c : cells) {
+        const std::size_t faces = editor.cell(c).faces.size();
+        if (editor.isFrozen(c) || faces == 0 || faces > 3) continue;
+        if (faces == 3) return false;
+        const CollapseCounts counts = tidyCells(editor, {c});
+        if (counts.brokenCells > 0 || counts.addedCells > 0) return false;
+    }
+    return true;
+}
+
+using FaceAreas = std::vector<std::pair<Label, Vec3>>;
+
+/// The area vectors of the faces of a point.
+FaceAreas areasAt(MeshEditor& editor, Label p) {
+    FaceAreas areas;
+    for (const Label f : editor.facesOfPoint(p))
+        areas.emplace_back(f, editor.faceGeometry(f).area);
+    return areas;
+}
+
+bool anyTurned(MeshEditor& editor, const FaceAreas& before) {
+    return std::any_of(before.begin(), before.end(), [&](const auto& entry) {
+        return !editor.face(entry.first).isRemoved() &&
+               dot(editor.faceGeometry(entry.first).area, entry.second) < 0;
+    });
+}
+
 } // namespace
 
 bool mayCollapse(MeshEditor& editor, Label from, Label to) {
     const PointRank rank = editor.rank(from);
-    if (rank > editor.rank(to) || rank >= PointRank::corner) return false;
+    if (rank > editor.rank(to) || rank == PointRank::fixed) return false;
     if (rank == PointRank::interior) return true;
     const EdgeKind kind = edgeKind(editor, from, to);
     return rank == PointRank::surface ? kind.boundary : kind.feature;
@@ -121,7 +199,16 @@ bool collapseEdge(MeshEditor& editor, Label from, Label to) {
         if (hasPoint(polygon, to) && !hasEdge(polygon, from, to)) return false;
     }
     const std::vector<Label> cells = cellsOfPoint(editor, from);
-    return replacePoint(editor, from, to) == 0 && allBalls(editor, cells);
+    for (const Label c : cells)
+        if (!linkAllows(editor, c, from, to)) return false;
+    const std::vector<Label> faces(editor.facesOfPoint(from).begin(),
+                                   editor.facesOfPoint(from).end());
+    for (const Label f : faces) {
+        Polygon walk = editor.face(f).points;
+        std::replace(walk.begin(), walk.end(), from, to);
+        setFaceWalk(editor, f, walk);
+    }
+    return removeFlatCells(editor, cells) && allBalls(editor, judgedCells(editor, cells));
 }
 
 Label collapseBestWay(MeshEditor& editor, Label a, Label b) {
@@ -131,10 +218,12 @@ Label collapseBestWay(MeshEditor& editor, Label a, Label b) {
         const Label to = from == a ? b : a;
         if (!mayCollapse(editor, from, to)) continue;
         const std::vector<Label> cells = cellsOfPoint(editor, from);
-        const Badness before = badnessOf(editor, cells);
+        const std::vector<Label> judged = judgedCells(editor, cells);
+        const Badness before = badnessOf(editor, judged);
+        const auto areas = judged.size() < cells.size() ? areasAt(editor, from) : FaceAreas{};
         const MeshEditor::Mark mark = editor.mark();
-        if (collapseEdge(editor, from, to)) {
-            const Badness after = badnessOf(editor, cells);
+        if (collapseEdge(editor, from, to) && !anyTurned(editor, areas)) {
+            const Badness after = badnessOf(editor, judged);
             if (isNoWorse(after, before) && (best < 0 || isBetter(after, bestAfter))) {
                 best = from;
                 bestAfter = after;

@@ -7,8 +7,8 @@
 
 namespace polymesh {
 
-/// True when the point `from` may be moved onto `to` along their edge: no fixed point or corner
-/// moves, points of a feature edge move along it, points of the surface move in the surface.
+/// True when the point `from` may be moved onto `to` along their edge: no fixed point moves,
+/// corners and points of a feature edge move along feature edges, points of the surface in it.
 bool mayCollapse(MeshEditor& editor, Label from, Label to);
 
 /// Moves the point `from` onto `to`, along their edge; faces and cells that vanish go. False when a

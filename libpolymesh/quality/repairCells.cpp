@@ -20,6 +20,7 @@ namespace polymesh {
 namespace {
 
 constexpr double concaveAngle = 0.1;         // [rad]
+constexpr std::size_t maxFaces = 64;         // of a cell that is worth the effort
 constexpr double longestCollapse = 0.5;      // of the size of the cell
 constexpr double largestVolumeChange = 2e-3; // of the cube of the size of the cell
 
@@ -63,7 +64,8 @@ public:
     std::optional<Proposal> best() {
         proposeCut();
         for (const MergePartner& partner : mergePartners(editor_, cell_))
-            proposeMerge(cell_, partner.cell);
+            if (editor_.cell(partner.cell).faces.size() <= maxFaces)
+                proposeMerge(cell_, partner.cell);
         proposeCollapses();
         return best_;
     }
@@ -171,6 +173,7 @@ RepairCounts repairCells(MeshEditor& editor) {
         const Label c = queue.front();
         queue.pop_front();
         if (editor.cell(c).isRemoved() || !isBad(editor, c) || ++visits[c] > maxVisits) continue;
+        if (editor.cell(c).faces.size() > maxFaces) continue;
         const std::optional<Proposal> proposal = RepairSearch(editor, c).best();
         if (proposal) apply(editor, *proposal, counts, queue);
     }

@@ -117,6 +117,8 @@ std::vector<ReflexEdge> reflexEdges(MeshEditor& editor, Label cell, double toler
 
 Label cutAtReflexEdge(MeshEditor& editor, Label cell, double tolerance) {
     constexpr std::size_t maxEdges = 6;
+    constexpr std::size_t maxFaces = 64; // beyond, the surface is too fine for the cells: no hope
+    if (editor.cell(cell).faces.size() > maxFaces) return -1;
     const std::vector<ReflexEdge> reflex = reflexEdges(editor, cell, tolerance);
     if (reflex.empty()) return -1;
     const std::array<Label, 1> one{cell};

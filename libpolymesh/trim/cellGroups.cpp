@@ -59,13 +59,26 @@ Label CellGroups::root(Label piece) {
     return piece;
 }
 
-void CellGroups::build(const CellInput& input, Label cell, const Limit& limit) {
+void CellGroups::build(const CellInput& input, Label cell, std::vector<std::uint8_t>& levels) {
     cell_ = cell;
+    levels_ = &levels;
     firstPiece_ = input.pieces.offsets[index(cell)];
     pieceCount_ = input.pieces.offsets[index(cell) + 1] - firstPiece_;
-    joinPieces(input, limit);
+    isBad_.assign(index(pieceCount_), 0);
+    listJoins(input);
+    joinPieces(input);
     listOutlines(input);
     walkOutlines(input);
+}
+
+bool CellGroups::raiseBad() {
+    bool isRaised = false;
+    for (Label i = 0; i < pieceCount_; ++i) {
+        if (isBad_[index(root(i))] == 0 || levelOf(i) >= CellInput::lastLevel) continue;
+        ++levelOf(i);
+        isRaised = true;
+    }
+    return isRaised;
 }
 
 /// Whether the groups of roots a and b may be one; if so its cone is stored at the lower root.
@@ -84,36 +97,48 @@ bool CellGroups::fits(Label a, Label b, double cone) {
     return true;
 }
 
-void CellGroups::joinPieces(const CellInput& input, const Limit& limit) {
-    const bool hasCone = limit.cone < std::numbers::pi;
-    parent_.resize(index(pieceCount_));
-    cones_.clear();
+/// Lists the intervals of the cell's pieces, and the edges across which two may be joined.
+void CellGroups::listJoins(const CellInput& input) {
     entries_.clear();
-    for (Label i = 0; i < pieceCount_; ++i) {
-        parent_[index(i)] = i;
+    for (Label i = 0; i < pieceCount_; ++i)
         for (const Label interval : intervalsOf(input.pieces, firstPiece_ + i))
             if (interval >= 0) entries_.push_back({interval, i});
-        if (hasCone) {
-            const auto t = input.cutter.triangle(input.pieces.triangle[index(firstPiece_ + i)]);
-            cones_.push_back({cross(t[1] - t[0], t[2] - t[0]), 0});
-        }
-    }
     std::ranges::sort(entries_, [](const Entry& a, const Entry& b) {
         return a.interval != b.interval ? a.interval < b.interval : a.piece < b.piece;
     });
     joins_.clear();
     for (std::size_t k = 0; k + 1 < entries_.size(); ++k) {
         if (entries_[k].interval != entries_[k + 1].interval) continue;
+        const Label a = entries_[k].piece;
+        const Label b = entries_[k + 1].piece;
         const double sharpness =
-            limit.sharpness[index(input.edgeOfInterval[index(entries_[k].interval)])];
-        if (sharpness <= limit.sharpest)
-            joins_.push_back({sharpness, entries_[k].piece, entries_[k + 1].piece});
+            input.sharpness[index(input.edgeOfInterval[index(entries_[k].interval)])];
+        if (levelOf(a) == levelOf(b) && sharpness <= input.levels[levelOf(a)].sharpest)
+            joins_.push_back({sharpness, a, b});
     }
-    if (hasCone) std::ranges::stable_sort(joins_, {}, &Join::sharpness);
+}
+
+void CellGroups::joinPieces(const CellInput& input) {
+    const auto coneOf = [&](Label piece) { return input.levels[levelOf(piece)].cone; };
+    bool haveCones = false;
+    parent_.resize(index(pieceCount_));
+    for (Label i = 0; i < pieceCount_; ++i) {
+        parent_[index(i)] = i;
+        haveCones = haveCones || coneOf(i) < std::numbers::pi;
+    }
+    if (haveCones) {
+        cones_.clear();
+        for (Label i = 0; i < pieceCount_; ++i) {
+            const auto t = input.cutter.triangle(input.pieces.triangle[index(firstPiece_ + i)]);
+            cones_.push_back({cross(t[1] - t[0], t[2] - t[0]), 0});
+        }
+        std::ranges::stable_sort(joins_, {}, &Join::sharpness);
+    }
     for (const Join& join : joins_) {
         const Label a = root(join.a);
         const Label b = root(join.b);
-        if (a == b || (hasCone && !fits(a, b, limit.cone))) continue;
+        const double cone = coneOf(join.a);
+        if (a == b || (cone < std::numbers::pi && !fits(a, b, cone))) continue;
         parent_[index(std::max(a, b))] = std::min(a, b);
     }
 }
@@ -149,40 +174,42 @@ void CellGroups::listOutlines(const CellInput& input) {
 void CellGroups::walkOutlines(const CellInput& input) {
     faces_.clear();
     faceOfPiece_.assign(index(pieceCount_), -1);
-    areDiscs_ = true;
-    Label lastGroup = -1;
     for (std::size_t k = 0; k < edges_.size(); ++k) {
-        if (k > 0 && edges_[k].group == edges_[k - 1].group && edges_[k].from == edges_[k - 1].from)
-            areDiscs_ = false;
-        if (edges_[k].isUsed) continue;
         const Label group = edges_[k].group;
+        if (k > 0 && group == edges_[k - 1].group && edges_[k].from == edges_[k - 1].from)
+            isBad_[index(group)] = 1;
+        if (edges_[k].isUsed) continue;
         Face face;
+        face.group = group;
         face.region =
             input.cutter.surface->region[index(input.pieces.triangle[index(firstPiece_ + group)])];
-        std::size_t at = k;
-        while (!edges_[at].isUsed) {
+        for (std::size_t at = k; at < edges_.size() && !edges_[at].isUsed; at = next(at)) {
             edges_[at].isUsed = true;
             face.points.push_back(edges_[at].from);
-            const Label to = edges_[at].to;
-            auto next = std::lower_bound(
-                edges_.begin(), edges_.end(), to, [group](const OutlineEdge& e, Label point) {
-                    return e.group != group ? e.group < group : e.from < point;
-                });
-            while (next + 1 != edges_.end() && next->isUsed && (next + 1)->group == group &&
-                   (next + 1)->from == to)
-                ++next;
-            if (next == edges_.end()) break; // only where areDiscs_ is false already
-            at = static_cast<std::size_t>(next - edges_.begin());
         }
-        if (group == lastGroup) areDiscs_ = false; // a second outline
-        lastGroup = group;
-        faceOfPiece_[index(group)] = toLabel(faces_.size());
+        Label& known = faceOfPiece_[index(group)];
+        if (known >= 0) isBad_[index(group)] = 1; // a second outline
+        known = toLabel(faces_.size());
         faces_.push_back(std::move(face));
     }
     for (Label i = 0; i < pieceCount_; ++i) {
         faceOfPiece_[index(i)] = faceOfPiece_[index(root(i))];
-        if (faceOfPiece_[index(i)] < 0) areDiscs_ = false; // closed: no outline at all
+        if (faceOfPiece_[index(i)] < 0) isBad_[index(root(i))] = 1; // closed: no outline at all
     }
+}
+
+/// The unused edge of the same group that goes on where this one ends.
+std::size_t CellGroups::next(std::size_t at) const {
+    const Label group = edges_[at].group;
+    const Label from = edges_[at].to;
+    auto found = std::lower_bound(
+        edges_.begin(), edges_.end(), from, [group](const OutlineEdge& e, Label point) {
+            return e.group != group ? e.group < group : e.from < point;
+        });
+    while (found != edges_.end() && found->isUsed && found + 1 != edges_.end() &&
+           (found + 1)->group == group && (found + 1)->from == from)
+        ++found;
+    return static_cast<std::size_t>(found - edges_.begin());
 }
 
 void CellGroups::keepVertices(const CellInput& input, double tolerance) {
@@ -218,13 +245,13 @@ void CellGroups::keepVertices(const CellInput& input, double tolerance) {
     }
 }
 
-void CellGroups::reduce(const CellInput& input, double tolerance, const PointTest& isKept) {
+void CellGroups::reduce(const CellInput& input, double tolerance, const KeptPoints& kept) {
     const Label firstVertex = input.arrangement.firstVertex();
     const auto drop = [](LoopPolygon& points, auto&& isDropped) {
         points.erase(std::remove_if(points.begin(), points.end(), isDropped), points.end());
     };
     for (Face& face : faces_)
-        drop(face.points, [&](Label p) { return p < firstVertex && !isKept(p); });
+        drop(face.points, [&](Label p) { return p < firstVertex && !kept(p); });
     keepVertices(input, tolerance);
     for (Face& face : faces_)
         drop(face.points, [&](Label p) {
@@ -232,18 +259,17 @@ void CellGroups::reduce(const CellInput& input, double tolerance, const PointTes
         });
 }
 
-bool CellGroups::isValid(const CellInput& input,
-                         const FaceLoops& loops,
-                         const PointTest& isKept) const {
-    std::vector<std::uint64_t> seen;
+bool CellGroups::isCellValid(const CellInput& input,
+                             const FaceLoops& loops,
+                             const KeptPoints& kept) const {
+    boost::container::small_vector<std::uint64_t, 24> seen;
     double volume = 0;
     Vec3 apex;
-    const auto add = [&](std::span<const Label> polygon, double direction) {
-        if (polygon.size() < 3) return false;
+    const auto add = [&](const LoopPolygon& loop, double direction) {
+        const std::span<const Label> polygon(loop.data(), loop.size());
         if (seen.empty()) apex = input.positions[index(polygon[0])];
         seen.push_back(fingerprint(polygon));
         volume += direction * cone(input.positions, polygon, apex);
-        return true;
     };
     LoopPolygon polygon;
     for (const Label f : input.probe.cellFaces[cell_]) {
@@ -251,37 +277,48 @@ bool CellGroups::isValid(const CellInput& input,
         for (Label k = loops.offsets[index(f)]; k < loops.offsets[index(f) + 1]; ++k) {
             polygon.clear();
             for (const Label p : loops.polygons[k])
-                if (isKept(p)) polygon.push_back(p);
-            if (!add(std::span<const Label>(polygon.data(), polygon.size()), direction))
-                return false;
+                if (kept(p)) polygon.push_back(p);
+            if (polygon.size() < 3) return false;
+            add(polygon, direction);
         }
     }
     for (const Face& face : faces_)
-        if (!add(std::span<const Label>(face.points.data(), face.points.size()), 1)) return false;
+        if (face.points.size() >= 3) add(face.points, 1);
     std::ranges::sort(seen);
     return seen.size() >= 4 && volume > 0 && std::ranges::adjacent_find(seen) == seen.end();
 }
 
-double CellGroups::deviation(const CellInput& input) const {
-    double largest = 0;
+void CellGroups::checkFaces(const CellInput& input,
+                            const FaceLoops& loops,
+                            double tolerance,
+                            const KeptPoints& kept) {
+    if (!isCellValid(input, loops, kept)) isBad_.assign(isBad_.size(), 1);
+    for (const Face& face : faces_)
+        if (face.points.size() < 3) isBad_[index(face.group)] = 1;
     for (Label i = 0; i < pieceCount_; ++i) {
+        const Label group = root(i);
         const Label f = faceOfPiece_[index(i)];
-        if (f < 0) continue;
-        const LoopPolygon& face = faces_[index(f)].points;
-        const Vec3 centre = mean(input.positions, std::span<const Label>(face.data(), face.size()));
-        for (const Label p : input.pieces.polygons[firstPiece_ + i]) {
-            if (std::ranges::find(face, p) != face.end()) continue;
-            const Vec3& at = input.positions[index(p)];
-            double distance = Box::inf;
-            for (std::size_t k = 0; k < face.size(); ++k)
-                distance =
-                    std::min(distance,
-                             distanceToTriangle(at,
-                                                input.positions[index(face[k])],
-                                                input.positions[index(face[(k + 1) % face.size()])],
-                                                centre));
-            largest = std::max(largest, distance);
-        }
+        if (f < 0 || isBad_[index(group)] != 0) continue;
+        if (deviation(input, i, faces_[index(f)].points) > tolerance) isBad_[index(group)] = 1;
+    }
+}
+
+/// Largest distance of a point of the piece from the face that it has become a part of [m].
+double CellGroups::deviation(const CellInput& input, Label piece, const LoopPolygon& face) const {
+    double largest = 0;
+    const Vec3 centre = mean(input.positions, std::span<const Label>(face.data(), face.size()));
+    for (const Label p : input.pieces.polygons[firstPiece_ + piece]) {
+        if (std::ranges::find(face, p) != face.end()) continue;
+        const Vec3& at = input.positions[index(p)];
+        double distance = Box::inf;
+        for (std::size_t k = 0; k < face.size(); ++k)
+            distance =
+                std::min(distance,
+                         distanceToTriangle(at,
+                                            input.positions[index(face[k])],
+                                            input.positions[index(face[(k + 1) % face.size()])],
+                                            centre));
+        largest = std::max(largest, distance);
     }
     return largest;
 }

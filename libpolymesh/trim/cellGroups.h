@@ -6,64 +6,96 @@
 #include "libpolymesh/trim/loops.h"
 #include "libpolymesh/trim/pieces.h"
 
-#include <functional>
+#include <array>
+#include <atomic>
+#include <cstdint>
 #include <vector>
 
 namespace polymesh {
 
-/// What the pieces of a cell are made from.
+/// How much of the surface is joined in one place.
+struct JoinLevel {
+    double sharpest = 0; // [rad] sharper edges are kept
+    /// No piece of a group may turn from the group's mean normal by more than this [rad]; pi and
+    /// more: no limit.
+    double cone = 4;
+};
+
+/// The points of the arrangement that faces keep.
+class KeptPoints {
+public:
+    KeptPoints(const Arrangement& arrangement, std::vector<std::uint8_t>& isNeeded)
+        : nodeCount_(arrangement.nodeCount), isNeeded_(isNeeded) {}
+
+    /// Nodes and surface points are kept, crossings and pierces when a face needs them.
+    bool operator()(Label point) const {
+        const std::size_t k = index(point - nodeCount_);
+        if (point < nodeCount_ || k >= isNeeded_.size()) return true;
+        return std::atomic_ref<std::uint8_t>(isNeeded_[k]).load(std::memory_order_relaxed) != 0;
+    }
+
+    /// Several cells may keep the same point at the same time.
+    void keep(Label point) {
+        std::atomic_ref<std::uint8_t>(isNeeded_[index(point - nodeCount_)])
+            .store(1, std::memory_order_relaxed);
+    }
+
+private:
+    Label nodeCount_;
+    std::vector<std::uint8_t>& isNeeded_;
+};
+
+/// What the groups of a cell are made from.
 struct CellInput {
+    static constexpr std::uint8_t lastLevel = 4;
+
     const Probe& probe;
     const CuttingSurface& cutter;
     const Arrangement& arrangement;
     const PointPositions& positions;
     const CellPieces& pieces;
+    const std::vector<double>& sharpness; // per surface edge, see Fidelity
+    std::array<JoinLevel, lastLevel + 1> levels;
     std::vector<Label> edgeOfInterval; // see edgeOfIntervals
 };
 
 /// The pieces of one cell, joined to groups across the surface edges that are not kept; each group
-/// will be one boundary face. Reusable from cell to cell.
+/// will be one boundary face. Pieces with different levels are not joined. Reusable from cell to
+/// cell.
 class CellGroups {
 public:
     struct Face {
         LoopPolygon points;
         Label region = -1;
+        Label group = -1;
     };
 
-    using PointTest = std::function<bool(Label)>; // of points of the arrangement
+    /// Joins the cell's pieces as far as their levels allow, the flattest edges first.
+    /// `levels`: one per piece of all cells.
+    void build(const CellInput& input, Label cell, std::vector<std::uint8_t>& levels);
 
-    /// Which pieces of a cell may belong together.
-    struct Limit {
-        /// Edges sharper than this [rad] stay; one value per surface edge.
-        const std::vector<double>& sharpness;
-        double sharpest = 0;
-        /// No piece of a group may turn from the group's mean normal by more than this [rad]; pi
-        /// and more: no limit.
-        double cone = 4;
-    };
-
-    /// Joins the cell's pieces as far as the limit allows, the flattest edges first.
-    void build(const CellInput& input, Label cell, const Limit& limit);
-
-    /// Whether every group has one outline that does not touch itself.
-    bool areDiscs() const { return areDiscs_; }
+    /// Raises the levels of the pieces of bad groups: those with several outlines, none, or one
+    /// that touches itself, and those that checkFaces found bad. False when there was nothing to
+    /// raise.
+    bool raiseBad();
 
     /// The points at the ends of the intervals that lie between two groups.
     const std::vector<Label>& endsOfBorders() const { return borderEnds_; }
 
-    /// Makes the faces: outlines without the points for which isKept is false, and without the
-    /// surface points inside a border between two groups that lie within `tolerance` [m] of it.
-    void reduce(const CellInput& input, double tolerance, const PointTest& isKept);
+    /// Makes the faces: outlines without the points that are not kept, and without the surface
+    /// points inside a border between two groups that lie within `tolerance` [m] of it.
+    void reduce(const CellInput& input, double tolerance, const KeptPoints& kept);
 
     const std::vector<Face>& faces() const { return faces_; }
 
-    /// Whether the cell of these faces and the polygons of the mesh faces has four faces or more,
-    /// with three points or more each, no two with the same points, and a volume. Call after
-    /// reduce.
-    bool isValid(const CellInput& input, const FaceLoops& loops, const PointTest& isKept) const;
-
-    /// Largest distance of a dropped point from its face [m]. Call after reduce.
-    double deviation(const CellInput& input) const;
+    /// Marks groups as bad whose face has fewer than three points or is farther than `tolerance`
+    /// [m] from a point that it dropped; and all groups when the cell of these faces and the
+    /// polygons of the mesh faces has fewer than four faces, two with the same points, or no
+    /// volume. Call after reduce.
+    void checkFaces(const CellInput& input,
+                    const FaceLoops& loops,
+                    double tolerance,
+                    const KeptPoints& kept);
 
 private:
     struct Entry {
@@ -92,18 +124,26 @@ private:
     };
 
     Label root(Label piece);
-    void joinPieces(const CellInput& input, const Limit& limit);
+
+    std::uint8_t& levelOf(Label piece) { return (*levels_)[index(firstPiece_ + piece)]; }
+
+    void listJoins(const CellInput& input);
+    void joinPieces(const CellInput& input);
     bool fits(Label a, Label b, double cone);
+    bool isCellValid(const CellInput& input, const FaceLoops& loops, const KeptPoints& kept) const;
+    double deviation(const CellInput& input, Label piece, const LoopPolygon& face) const;
     void listOutlines(const CellInput& input);
     void walkOutlines(const CellInput& input);
+    std::size_t next(std::size_t at) const;
     void keepVertices(const CellInput& input, double tolerance);
 
     Label cell_ = -1;
     Label firstPiece_ = 0;
     Label pieceCount_ = 0;
-    bool areDiscs_ = true;
-    std::vector<Label> parent_; // of pieces, for joining
-    std::vector<Cone> cones_;   // of the groups' roots
+    std::vector<std::uint8_t>* levels_ = nullptr;
+    std::vector<Label> parent_;       // of pieces, for joining
+    std::vector<std::uint8_t> isBad_; // of the groups' roots
+    std::vector<Cone> cones_;         // of the groups' roots
     std::vector<Join> joins_;
     std::vector<Entry> entries_;
     std::vector<OutlineEdge> edges_;

@@ -8,41 +8,26 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
-
 
 namespace polymesh {
 
 namespace {
 
-/// How much is joined at one level.
-struct Level {
-    double sharpest; // [rad] sharper edges are kept
-    double cone;     // [rad] see CellGroups::Limit
-};
-
-constexpr std::uint8_t lastLevel = 4;
-
 /// From much to nothing. Where only features are kept at first, faces that bend more and more are
 /// taken apart next: few faces for what the tolerance needs, however fine the triangles are.
-std::array<Level, lastLevel + 1> levels(const Fidelity& fidelity) {
+std::array<JoinLevel, CellInput::lastLevel + 1> joinLevels(const Fidelity& fidelity) {
     constexpr double any = 4;
-    constexpr Level everything{-2, any};
+    constexpr JoinLevel everything{-2, any};
     if (fidelity.deviation <= 0) {
-        constexpr Level flat{-0.5, any};
+        constexpr JoinLevel flat{-0.5, any};
         return {flat, flat, flat, flat, everything};
     }
     const double sharp = fidelity.featureAngle;
-    return {
-        Level{sharp, any}, Level{sharp, 0.7}, Level{sharp, 0.35}, Level{sharp, 0.12}, everything};
-}
-
-void set(std::uint8_t& flag) {
-    std::atomic_ref<std::uint8_t>(flag).store(1, std::memory_order_relaxed);
-}
-
-bool get(std::uint8_t& flag) {
-    return std::atomic_ref<std::uint8_t>(flag).load(std::memory_order_relaxed) != 0;
+    return {JoinLevel{sharp, any},
+            JoinLevel{sharp, 0.7},
+            JoinLevel{sharp, 0.35},
+            JoinLevel{sharp, 0.12},
+            everything};
 }
 
 /// The state of the simplification of a whole mesh.
@@ -56,12 +41,19 @@ public:
                    const std::vector<double>& cellSizes,
                    const Fidelity& fidelity,
                    FaceLoops& loops)
-        : input_{probe, cutter, arrangement, positions, pieces, edgeOfIntervals(arrangement)},
+        : input_{probe,
+                 cutter,
+                 arrangement,
+                 positions,
+                 pieces,
+                 fidelity.sharpness,
+                 joinLevels(fidelity),
+                 edgeOfIntervals(arrangement)},
           cellSizes_(cellSizes),
-          fidelity_(fidelity),
-          levels_(levels(fidelity)),
+          deviation_(fidelity.deviation),
           loops_(loops),
-          level_(index(probe.cellCount()), 0),
+          kept_(arrangement, loops.isNeeded),
+          levels_(pieces.triangle.size(), 0),
           isDirty_(index(probe.cellCount()), 1) {}
 
     BoundaryPolygons run() {
@@ -82,49 +74,34 @@ private:
         return input_.pieces.offsets[index(c)] != input_.pieces.offsets[index(c) + 1];
     }
 
-    /// Whether the point may not be dropped from faces of the mesh.
-    bool isKept(Label point) {
-        const Label k = point - input_.arrangement.nodeCount;
-        return k < 0 || k >= toLabel(loops_.isNeeded.size()) || get(loops_.isNeeded[index(k)]);
-    }
-
-    void keep(Label point) { set(loops_.isNeeded[index(point - input_.arrangement.nodeCount)]); }
-
-    void group(Label c, CellGroups& groups) {
-        const Level& level = levels_[level_[index(c)]];
-        groups.build(input_, c, {fidelity_.sharpness, level.sharpest, level.cone});
-    }
-
-    /// Raises a cell's level until its groups are discs, and keeps the pierces that bound them.
+    /// Raises levels in a cell until its groups are discs, and keeps the pierces that bound them.
     void raise(Label c) {
         if (!isCut(c)) return;
         CellGroups groups;
-        group(c, groups);
-        while (!groups.areDiscs() && level_[index(c)] < lastLevel) {
-            ++level_[index(c)];
-            group(c, groups);
-        }
+        do
+            groups.build(input_, c, levels_);
+        while (groups.raiseBad());
         for (const Label point : groups.endsOfBorders())
-            if (input_.arrangement.isPierce(point)) keep(point);
+            if (input_.arrangement.isPierce(point)) kept_.keep(point);
     }
 
-    double toleranceOf(Label c) const { return fidelity_.deviation * cellSizes_[index(c)]; }
+    double toleranceOf(Label c) const { return deviation_ * cellSizes_[index(c)]; }
 
     void keepOnFace(Label f) {
         double tolerance = Box::inf;
         for (const Label c : input_.probe.faceCells[index(f)])
             if (c >= 0) tolerance = std::min(tolerance, toleranceOf(c));
         // Points still free at deviation 0 lie between exactly coplanar triangles.
-        if (fidelity_.deviation <= 0) tolerance = Box::inf;
+        if (deviation_ <= 0) tolerance = Box::inf;
         for (Label k = loops_.offsets[index(f)]; k < loops_.offsets[index(f) + 1]; ++k) {
             const auto polygon = loops_.polygons[k];
-            if (std::ranges::all_of(polygon, [&](Label p) { return isKept(p); })) continue;
+            if (std::ranges::all_of(polygon, kept_)) continue;
             keepWithin(
                 input_.positions,
                 polygon,
                 tolerance,
-                [&](std::size_t i) { return isKept(polygon[i]); },
-                [&](std::size_t i) { keep(polygon[i]); });
+                [&](std::size_t i) { return kept_(polygon[i]); },
+                [&](std::size_t i) { kept_.keep(polygon[i]); });
             keepChainsOnOneEdge(polygon);
         }
     }
@@ -143,45 +120,43 @@ private:
     void keepChainsOnOneEdge(std::span<const Label> polygon) {
         const std::size_t n = polygon.size();
         for (std::size_t i = 0; i < n; ++i) {
-            if (!isKept(polygon[i]) || isKept(polygon[(i + 1) % n])) continue;
+            if (!kept_(polygon[i]) || kept_(polygon[(i + 1) % n])) continue;
             std::size_t j = i + 1;
-            while (!isKept(polygon[j % n]))
+            while (!kept_(polygon[j % n]))
                 ++j;
             const Label e = edgeOf(polygon[i]);
             if (e < 0 || e != edgeOf(polygon[j % n])) continue;
             double distance = 0;
-            keep(polygon[detail::farthest(input_.positions, polygon, i, j, distance) % n]);
+            kept_.keep(polygon[detail::farthest(input_.positions, polygon, i, j, distance) % n]);
         }
     }
 
-    bool isGood(Label c, CellGroups& groups) {
-        groups.reduce(input_, fidelity_.deviation > 0 ? toleranceOf(c) : 0.0, [&](Label p) {
-            return isKept(p);
-        });
-        return groups.isValid(input_, loops_, [&](Label p) { return isKept(p); }) &&
-               (fidelity_.deviation <= 0 || groups.deviation(input_) <= toleranceOf(c));
+    /// Raises levels where a cell's faces are bad; true when there was something to raise.
+    bool raiseBadFaces(Label c, CellGroups& groups) {
+        groups.build(input_, c, levels_);
+        groups.reduce(input_, toleranceOf(c), kept_);
+        groups.checkFaces(input_, loops_, deviation_ > 0 ? toleranceOf(c) : Box::inf, kept_);
+        return groups.raiseBad();
     }
 
     bool raiseBadCells() {
-        std::vector<std::uint8_t> isBad(index(cellCount()), 0);
+        std::vector<std::uint8_t> isRaised(index(cellCount()), 0);
         parallelFor(cellCount(), [&](Label c) {
             if (isDirty_[index(c)] == 0 || !isCut(c)) return;
             CellGroups groups;
-            group(c, groups);
-            if (level_[index(c)] < lastLevel && !isGood(c, groups)) isBad[index(c)] = 1;
+            if (raiseBadFaces(c, groups)) isRaised[index(c)] = 1;
         });
         std::ranges::fill(isDirty_, std::uint8_t{0});
         bool isChanged = false;
         for (Label c = 0; c < cellCount(); ++c) {
-            if (isBad[index(c)] == 0) continue;
+            if (isRaised[index(c)] == 0) continue;
             isChanged = true;
-            ++level_[index(c)];
             for (const Label f : input_.probe.cellFaces[c])
                 for (const Label other : input_.probe.faceCells[index(f)])
                     if (other >= 0) isDirty_[index(other)] = 1;
         }
         parallelFor(cellCount(), [&](Label c) {
-            if (isBad[index(c)] != 0) raise(c);
+            if (isRaised[index(c)] != 0) raise(c);
         });
         return isChanged;
     }
@@ -196,10 +171,8 @@ private:
             for (Label c = first; c < last; ++c) {
                 const Label before = part.polygons.size();
                 if (isCut(c)) {
-                    group(c, groups);
-                    groups.reduce(input_,
-                                  fidelity_.deviation > 0 ? toleranceOf(c) : 0.0,
-                                  [&](Label p) { return isKept(p); });
+                    groups.build(input_, c, levels_);
+                    groups.reduce(input_, toleranceOf(c), kept_);
                     for (const CellGroups::Face& face : groups.faces()) {
                         part.polygons.add(
                             std::span<const Label>(face.points.data(), face.points.size()));
@@ -228,7 +201,7 @@ private:
         reduced.values.reserve(loops_.polygons.values.size());
         for (Label k = 0; k < loops_.polygons.size(); ++k) {
             for (const Label p : loops_.polygons[k])
-                if (isKept(p)) reduced.values.push_back(p);
+                if (kept_(p)) reduced.values.push_back(p);
             reduced.offsets.push_back(toLabel(reduced.values.size()));
         }
         loops_.polygons = std::move(reduced);
@@ -236,11 +209,11 @@ private:
 
     CellInput input_;
     const std::vector<double>& cellSizes_;
-    const Fidelity& fidelity_;
-    std::array<Level, lastLevel + 1> levels_;
+    double deviation_;
     FaceLoops& loops_;
-    std::vector<std::uint8_t> level_;
-    std::vector<std::uint8_t> isDirty_;
+    KeptPoints kept_;
+    std::vector<std::uint8_t> levels_;  // per piece
+    std::vector<std::uint8_t> isDirty_; // per cell: its faces have changed since they were checked
 };
 
 } // namespace

@@ -19,6 +19,7 @@ namespace {
 
 std::string didYouMean(const std::vector<Option>& options, std::string_view name) {
     std::vector<std::string> names;
+    names.reserve(options.size());
     for (const Option& option : options)
         names.push_back(option.name);
     return nearestWord(name, names);
@@ -154,6 +155,7 @@ std::vector<double> Settings::numbers(const std::string& name, std::size_t count
             count,
             words.size());
     std::vector<double> values;
+    values.reserve(words.size());
     for (const std::string& word : words)
         values.push_back(parseNumber(word, place(name)));
     return values;

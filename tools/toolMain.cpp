@@ -27,7 +27,7 @@ Settings settingsOf(std::vector<Option> options) {
 }
 
 fs::path existingCase(const Settings& settings) {
-    const fs::path dir = settings.text("case", ".");
+    fs::path dir = settings.text("case", ".");
     require(
         fs::is_directory(dir), "{}: {} is not a directory", settings.place("case"), dir.string());
     return dir;
@@ -55,9 +55,9 @@ void finishReport(ToolRun& tool, const std::string& name) {
 fs::path dictionaryOf(const ToolRun& tool, const std::string& name) {
     const fs::path usual = tool.caseDirectory().system(name + "Dict");
     if (!tool.settings.has("dict")) return fs::is_regular_file(usual) ? usual : fs::path();
-    const fs::path given = tool.settings.text("dict");
+    fs::path given = tool.settings.text("dict");
     if (fs::is_regular_file(given)) return given;
-    const fs::path inCase = tool.caseDir / given;
+    fs::path inCase = tool.caseDir / given;
     require(fs::is_regular_file(inCase),
             "{}: {}: no such file",
             tool.settings.place("dict"),

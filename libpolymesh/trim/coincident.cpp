@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/trim/coincident.h"
 
+#include "libpolymesh/base/parallel.h"
 #include "libpolymesh/geometry/predicates.h"
 #include "libpolymesh/trim/chains.h"
 
@@ -25,7 +26,8 @@ public:
         : probe_(probe),
           cutter_(cutter),
           arrangement_(arrangement),
-          parent_(index(arrangement.firstVertex()) + cutter.surface->points.size()) {
+          parent_(index(arrangement.firstVertex()) + cutter.surface->points.size()),
+          nodeOf_(cutter.surface->points.size(), -1) {
         for (std::size_t i = 0; i < parent_.size(); ++i)
             parent_[i] = toLabel(i);
     }
@@ -38,6 +40,7 @@ public:
                 if (arrangement_.crossings.values[index(x)].zeros != 0) classifyCrossing(e, x);
         for (Label x = 0; x < arrangement_.pierceCount(); ++x)
             if (arrangement_.pierces.values[index(x)].zeros != 0) classifyPierce(x);
+        parallelFor(cutter_.surface->pointCount(), [&](Label v) { joinNode(v); });
         joinMeetings();
         for (std::size_t i = 0; i < parent_.size(); ++i)
             parent_[i] = root(toLabel(i));
@@ -151,7 +154,19 @@ private:
         return best;
     }
 
+    /// A surface point that is a node without any edge to tell so: both are in the same cell.
+    void joinNode(Label v) {
+        const Label cell = arrangement_.vertexCell[index(v)];
+        if (cell < 0) return;
+        const Vec3& p = cutter_.surface->points[index(v)];
+        for (const Label f : probe_.cellFaces[cell])
+            for (const Label n : probe_.faceNodes[f])
+                if (probe_.nodePoints[index(n)] == p) nodeOf_[index(v)] = n;
+    }
+
     void joinMeetings() {
+        for (std::size_t v = 0; v < nodeOf_.size(); ++v)
+            if (nodeOf_[v] >= 0) join(vertex(toLabel(v)), nodeOf_[v]);
         std::ranges::sort(meetings_, [](const EdgeMeeting& a, const EdgeMeeting& b) {
             return a.meshEdge != b.meshEdge ? a.meshEdge < b.meshEdge
                                             : a.surfaceEdge < b.surfaceEdge;
@@ -166,6 +181,7 @@ private:
     const CuttingSurface& cutter_;
     const Arrangement& arrangement_;
     std::vector<Label> parent_;
+    std::vector<Label> nodeOf_; // surface point -> node at the same place, or -1
     std::vector<EdgeMeeting> meetings_;
 };
 

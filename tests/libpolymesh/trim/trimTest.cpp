@@ -1,0 +1,299 @@
+// SPDX-FileCopyrightText: The polymesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "libpolymesh/trim/trim.h"
+
+#include "libpolymesh/base/error.h"
+#include "libpolymesh/base/parallel.h"
+#include "libpolymesh/mesh/cellGeometry.h"
+#include "libpolymesh/mesh/topology.h"
+#include "libpolymesh/mesh/validate.h"
+#include "libpolymesh/surface/measure.h"
+#include "tests/support/meshes.h"
+#include "tests/support/surfaces.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+#include <random>
+
+namespace polymesh::test {
+namespace {
+
+TrimOptions exact(Keep keep = Keep::inside) {
+    TrimOptions options;
+    options.keep = keep;
+    options.deviation = 0;
+    options.minEdge = 0;
+    options.minVolume = 0;
+    options.mendsCells = false;
+    return options;
+}
+
+double volumeOf(const PolyMesh& mesh) {
+    const MeshGeometry geometry = computeGeometry(mesh);
+    return std::accumulate(geometry.cellVolumes.begin(), geometry.cellVolumes.end(), 0.0);
+}
+
+TriSurface octahedron(const Vec3& centre, double radius) {
+    return sphere(0, radius, centre);
+}
+
+/// A box far larger than the unit cube, turned so that one face lies in the plane through `point`
+/// with the given normal: the part below the plane.
+TriSurface halfSpace(const Vec3& point, const Vec3& normal) {
+    const Vec3 n = normal / norm(normal);
+    const Vec3 other = std::abs(n.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+    const Vec3 u = cross(n, other) / norm(cross(n, other));
+    const Vec3 v = cross(n, u);
+    TriSurface surface = cuboid({-20, -20, -40}, {20, 20, 0});
+    for (Vec3& p : surface.points)
+        p = point + p.x * u + p.y * v + p.z * n;
+    return surface;
+}
+
+Label countHexahedra(const PolyMesh& mesh) {
+    const Rows<Label> facesOf = cellFaces(mesh);
+    Label count = 0;
+    for (Label c = 0; c < mesh.cellCount; ++c) {
+        bool isHex = facesOf.rowSize(c) == 6;
+        for (const Label f : facesOf[c])
+            isHex = isHex && mesh.faces.rowSize(f) == 4;
+        count += isHex ? 1 : 0;
+    }
+    return count;
+}
+
+PolyMesh trimmed(const PolyMesh& mesh, const TriSurface& surface, const TrimOptions& options) {
+    PolyMesh result = trim(mesh, surface, options).mesh;
+    for (const Defect& defect : validate(result))
+        ADD_FAILURE() << defect.message;
+    return result;
+}
+
+void expectExact(const PolyMesh& mesh, const TriSurface& surface) {
+    const double part = measure(surface).volume;
+    const double inside = volumeOf(trimmed(mesh, surface, exact()));
+    const double outside = volumeOf(trimmed(mesh, surface, exact(Keep::outside)));
+    EXPECT_NEAR(inside / part, 1, 1e-12);
+    EXPECT_NEAR((inside + outside) / volumeOf(mesh), 1, 1e-12);
+}
+
+TEST(Trim, boxAlignedWithGridGivesTheHexahedraDrawnByHand) {
+    const PolyMesh mesh = box(4, 4, 4);
+    const PolyMesh inside = trimmed(mesh, cuboid({.25, .25, .25}, {.75, .75, .75}), exact());
+    EXPECT_EQ(inside.cellCount, 8);
+    EXPECT_EQ(inside.pointCount(), 27);
+    EXPECT_EQ(inside.faceCount(), 36);
+    EXPECT_EQ(countHexahedra(inside), 8);
+    const PolyMesh outside =
+        trimmed(mesh, cuboid({.25, .25, .25}, {.75, .75, .75}), exact(Keep::outside));
+    EXPECT_EQ(outside.cellCount, 56);
+    EXPECT_EQ(countHexahedra(outside), 56);
+    EXPECT_EQ(outside.pointCount(), 124);
+}
+
+TEST(Trim, boxWithTheFacesOfTheMeshGivesTheMesh) {
+    const PolyMesh mesh = box(3, 2, 2);
+    const PolyMesh result = trimmed(mesh, cuboid(), exact());
+    EXPECT_EQ(result.cellCount, 12);
+    EXPECT_EQ(result.faceCount(), mesh.faceCount());
+    EXPECT_EQ(result.pointCount(), mesh.pointCount());
+    EXPECT_EQ(countHexahedra(result), 12);
+}
+
+TEST(Trim, boxThroughTheMiddlesOfCellsHalvesThem) {
+    const PolyMesh result =
+        trimmed(box(4, 4, 4), cuboid({.125, .25, .25}, {.875, .75, .75}), exact());
+    EXPECT_EQ(result.cellCount, 16);
+    EXPECT_EQ(countHexahedra(result), 16);
+    EXPECT_NEAR(volumeOf(result), 0.75 * 0.25, 1e-15);
+}
+
+TEST(Trim, surfacesOnGridPlanesEdgesAndNodesAreExact) {
+    const PolyMesh mesh = box(4, 4, 4, {4, 4, 4});
+    expectExact(mesh, octahedron({2, 2, 2}, 1));
+    expectExact(mesh, octahedron({2, 2, 2}, 1.5));
+    expectExact(mesh, octahedron({2, 2, 2}, 2));
+    expectExact(mesh, octahedron({1.5, 2, 2}, 1.5));
+    expectExact(mesh, cuboid({1, 1, 1}, {3, 2.5, 2}));
+    expectExact(mesh, cuboid({0, 1, 0.5}, {4, 2, 1}));
+}
+
+TEST(Trim, planeCutsAndTheirComplementsFillTheHexahedron) {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    const PolyMesh cube = unitCube();
+    for (int i = 0; i < 1000; ++i) {
+        const Vec3 n{unit(random), unit(random), unit(random)};
+        const Vec3 p{0.5 + 0.4 * unit(random), 0.5 + 0.4 * unit(random), 0.5 + 0.4 * unit(random)};
+        const TriSurface surface = halfSpace(p, n);
+        const double below = volumeOf(trimmed(cube, surface, exact()));
+        const double above = volumeOf(trimmed(cube, surface, exact(Keep::outside)));
+        ASSERT_NEAR(below + above, 1, 1e-12) << "plane " << i;
+        ASSERT_GT(below, 0);
+        ASSERT_GT(above, 0);
+    }
+}
+
+/// Faces and points of the part of a cube that keeps `kept` corners, by what one plane can make.
+struct Shape {
+    Label faces;
+    Label points;
+};
+
+std::vector<Shape> shapesKeeping(int kept) {
+    switch (kept) {
+    case 1:
+        return {{4, 4}};
+    case 2:
+        return {{5, 6}};
+    case 3:
+        return {{6, 8}};
+    case 4:
+        return {{6, 8}, {7, 10}};
+    case 5:
+        return {{7, 10}};
+    case 6:
+        return {{7, 10}};
+    default:
+        return {{7, 10}};
+    }
+}
+
+TEST(Trim, everyCornerMaskOfAPlaneGivesItsPolyhedron) {
+    std::mt19937 random(2);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    const PolyMesh cube = unitCube();
+    std::vector<bool> seen(256, false);
+    for (int i = 0; i < 6000; ++i) {
+        const Vec3 n{unit(random), unit(random), unit(random)};
+        const Vec3 p{0.5 + 0.5 * unit(random), 0.5 + 0.5 * unit(random), 0.5 + 0.5 * unit(random)};
+        unsigned mask = 0;
+        for (std::size_t k = 0; k < 8; ++k)
+            if (dot(cube.points[k] - p, n) < 0) mask |= 1U << k;
+        const int kept = std::popcount(mask);
+        if (kept == 0 || kept == 8 || seen[mask]) continue;
+        seen[mask] = true;
+        const PolyMesh part = trimmed(cube, halfSpace(p, n), exact());
+        ASSERT_EQ(part.cellCount, 1);
+        const std::vector<Shape> shapes = shapesKeeping(kept);
+        EXPECT_TRUE(std::ranges::any_of(shapes,
+                                        [&](const Shape& s) {
+                                            return s.faces == part.faceCount() &&
+                                                   s.points == part.pointCount();
+                                        }))
+            << "mask " << mask << ": " << part.faceCount() << " faces, " << part.pointCount()
+            << " points";
+    }
+    EXPECT_EQ(std::ranges::count(seen, true), 102); // of 254 corner sets, one plane can cut these
+}
+
+TEST(Trim, distortedMeshesAreTrimmedExactly) {
+    for (const unsigned seed : {1U, 2U, 3U}) {
+        const PolyMesh mesh = jittered(box(5, 5, 5), 0.05, seed);
+        expectExact(mesh, octahedron({.5, .5, .5}, .3));
+        expectExact(mesh, cuboid({.21, .22, .23}, {.71, .72, .77}));
+    }
+}
+
+TEST(Trim, meshesWithHangingNodesAreTrimmedExactly) {
+    const PolyMesh mesh = hangingNodes();
+    const Box bounds = boundingBox(mesh.points);
+    const Vec3 c = bounds.centre();
+    expectExact(mesh, octahedron(c, 0.3 * bounds.size().y));
+    expectExact(mesh, octahedron({c.x, c.y, c.z}, 0.25));
+}
+
+TEST(Trim, aPartInsideOneCellIsACellAndLeavesACavity) {
+    const PolyMesh mesh = box(3, 3, 3);
+    const TriSurface small = octahedron({.5, .5, .5}, .1);
+    const PolyMesh inside = trimmed(mesh, small, exact());
+    EXPECT_EQ(inside.cellCount, 1);
+    EXPECT_EQ(inside.faceCount(), 8);
+    const PolyMesh outside = trimmed(mesh, small, exact(Keep::outside));
+    EXPECT_EQ(outside.cellCount, 27);
+    EXPECT_NEAR(volumeOf(outside), 1 - measure(small).volume, 1e-14);
+}
+
+TEST(Trim, aRodThroughTheMiddlesOfFacesOpensHoles) {
+    const PolyMesh mesh = box(3, 3, 3, {3, 3, 3});
+    const TriSurface rod = cuboid({1.4, 1.3, -1}, {1.6, 1.7, 4});
+    const Trimmed result = trim(mesh, rod, exact(Keep::outside));
+    EXPECT_TRUE(validate(result.mesh).empty());
+    EXPECT_EQ(result.summary.holedFaces, 4);
+    EXPECT_NEAR(volumeOf(result.mesh), 27 - 0.2 * 0.4 * 3, 1e-13);
+    EXPECT_EQ(trimmed(mesh, rod, exact()).cellCount, 3);
+}
+
+TEST(Trim, aWallThinnerThanACellDividesCells) {
+    const PolyMesh mesh = box(3, 3, 3, {3, 3, 3});
+    const PolyMesh result =
+        trimmed(mesh, cuboid({1.45, -1, -1}, {1.55, 4, 4}), exact(Keep::outside));
+    EXPECT_EQ(result.cellCount, 36);
+    EXPECT_NEAR(volumeOf(result), 27 - 0.1 * 9, 1e-13);
+}
+
+TEST(Trim, regionsBecomePatchesAndThePatchesOfTheMeshStay) {
+    const PolyMesh mesh = box(4, 4, 4);
+    const PolyMesh result =
+        trimmed(mesh, cuboid({.3, .3, .3}, {.7, .7, .7}, "body"), exact(Keep::outside));
+    ASSERT_EQ(result.patches.size(), mesh.patches.size() + 1);
+    EXPECT_EQ(result.patches.back().name, "body");
+    EXPECT_EQ(result.patches.back().type, "wall");
+    EXPECT_GT(result.patches.back().size, 0);
+    EXPECT_EQ(result.patches.front(), [&] {
+        Patch patch = mesh.patches.front();
+        patch.start = result.internalFaceCount();
+        return patch;
+    }());
+}
+
+TEST(Trim, resultDoesNotDependOnTheNumberOfThreads) {
+    const PolyMesh mesh = box(12, 12, 12);
+    const TriSurface surface = octahedron({.5, .5, .5}, .37);
+    PolyMesh one;
+    {
+        const ThreadLimit limit(1);
+        one = trim(mesh, surface, TrimOptions{}).mesh;
+    }
+    for (const std::size_t count : {2U, 8U}) {
+        const ThreadLimit limit(count);
+        EXPECT_TRUE(trim(mesh, surface, TrimOptions{}).mesh == one) << count << " threads";
+    }
+}
+
+TEST(Trim, defaultOptionsKeepTheVolumeWithinTheDeviation) {
+    const TriSurface ball = cylinder(64, 1);
+    PolyMesh mesh = box(12, 12, 12, {3, 3, 3});
+    for (Vec3& p : mesh.points)
+        p -= {1.53, 1.54, 0.87};
+    const PolyMesh result = trimmed(mesh, ball, TrimOptions{});
+    EXPECT_NEAR(volumeOf(result) / measure(ball).volume, 1, 0.01);
+}
+
+TEST(Trim, aSurfaceOutsideTheMeshLeavesNothing) {
+    EXPECT_THROW(trim(box(2, 2, 2), octahedron({5, 5, 5}, 1), exact()), InputError);
+}
+
+TEST(Trim, overlappingShellsAreRefusedWithThePlace) {
+    TriSurface two = cuboid({.2, .2, .2}, {.6, .6, .6});
+    const TriSurface other = cuboid({.4, .4, .4}, {.8, .8, .8});
+    const Label shift = two.pointCount();
+    two.points.insert(two.points.end(), other.points.begin(), other.points.end());
+    for (auto triangle : other.triangles) {
+        for (Label& p : triangle)
+            p += shift;
+        two.triangles.push_back(triangle);
+        two.region.push_back(0);
+    }
+    try {
+        trim(box(9, 9, 9), two, exact());
+        FAIL() << "not refused";
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("intersects itself near ("), std::string::npos)
+            << error.what();
+    }
+}
+
+} // namespace
+} // namespace polymesh::test

@@ -87,7 +87,8 @@ private:
     Value readValue();
     Value readList(char close);
     Value readWordOrNumber();
-    Value readSizedList(Value count);
+    Value readSizedList(const Value& count);
+    void readWordCharacters();
     Value readDictionaryValue();
     std::shared_ptr<const Dictionary> readDictionary(const std::string& key);
     std::string readQuoted();
@@ -327,8 +328,8 @@ std::shared_ptr<const Dictionary> Parser::readDictionary(const std::string& key)
     return dictionary;
 }
 
-Value Parser::readWordOrNumber() {
-    Value value = blank(Value::Kind::word);
+/// Moves past the characters of a word; parentheses belong to it when they are balanced.
+void Parser::readWordCharacters() {
     int depth = 0;
     const char* start = here_;
     const char* firstOpen = nullptr;
@@ -339,26 +340,30 @@ Value Parser::readWordOrNumber() {
         if (firstOpen == nullptr) firstOpen = here_;
         ++depth;
     }
-    if (depth > 0) here_ = firstOpen; // a list begins, not a word with (parentheses)
-    if (here_ == start) {
-        if (atEnd()) fail("the file ends where something is expected");
-        fail("'{}' is not expected here", *here_ >= ' ' && *here_ <= '~' ? *here_ : '?');
-    }
+    if (depth > 0) here_ = firstOpen; // a list begins there
+    if (here_ != start) return;
+    if (atEnd()) fail("the file ends where something is expected");
+    fail("'{}' is not expected here", *here_ >= ' ' && *here_ <= '~' ? *here_ : '?');
+}
+
+Value Parser::readWordOrNumber() {
+    Value value = blank(Value::Kind::word);
+    const char* start = here_;
+    readWordCharacters();
     const char* number = *start == '+' ? start + 1 : start;
     const auto [stop, problem] = fast_float::from_chars(number, here_, value.number);
-    const bool isNumber = problem == std::errc{} && *number != 'n' && *number != 'i' &&
-                          *number != 'N' && *number != 'I';
-    if (isNumber && (stop == here_ || *stop == '(')) {
+    const bool spelledOut = *number == 'n' || *number == 'i' || *number == 'N' || *number == 'I';
+    if (problem == std::errc{} && !spelledOut && (stop == here_ || *stop == '(')) {
         value.kind = Value::Kind::number;
         here_ = stop;
     }
     value.text.assign(start, here_);
-    if (value.kind == Value::Kind::number && look() == '(') return readSizedList(std::move(value));
+    if (value.kind == Value::Kind::number && look() == '(') return readSizedList(value);
     return value;
 }
 
 /// Reads n(...), where the count touches the list.
-Value Parser::readSizedList(Value count) {
+Value Parser::readSizedList(const Value& count) {
     Value list = readList(')');
     if (count.number != static_cast<double>(list.items.size()))
         count.fail("list", fmt::format("{}, the length of the list", list.items.size()));

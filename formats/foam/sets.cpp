@@ -57,8 +57,7 @@ readSet(const fs::path& polyMeshDirectory, SetKind kind, const std::string& name
         reader.failInFile("class '{}': expected {}", reader.header().className, classOf(kind));
     std::vector<Label> labels = readLabelText(reader, 1);
     std::ranges::sort(labels);
-    const auto repeated = std::ranges::unique(labels);
-    labels.erase(repeated.begin(), repeated.end());
+    labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
     return labels;
 }
 

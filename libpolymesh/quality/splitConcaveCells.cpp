@@ -68,21 +68,79 @@ EdgeList forbiddenEdges(const MeshEditor& editor,
 struct Cut {
     CellLoop loop;
     Badness after;
+    double excess = 0; // [rad] sum over the reflex edges of both parts
 };
 
-/// Tries a cut and takes it back; the badness that it would leave, if it can be made.
-std::optional<Badness>
-tryCut(MeshEditor& editor, Label cell, const CellLoop& loop, std::span<const Label> region) {
+double totalExcess(MeshEditor& editor, Label cell, double tolerance) {
+    double sum = 0;
+    for (const ReflexEdge& edge : reflexEdges(editor, cell, tolerance))
+        sum += edge.excess;
+    return sum;
+}
+
+/// Tries a cut and takes it back; what it would leave, if it can be made.
+std::optional<Cut> tryCut(MeshEditor& editor,
+                          Label cell,
+                          const CellLoop& loop,
+                          double tolerance,
+                          std::span<const Label> region) {
     const MeshEditor::Mark mark = editor.mark();
-    std::optional<Badness> after;
+    std::optional<Cut> cut;
     const Label added = cutCell(editor, cell, loop);
-    if (added >= 0 && allBalls(editor, region)) {
+    if (added >= 0 && allBalls(editor, region) && editor.cellGeometry(added).volume > 0 &&
+        editor.cellGeometry(cell).volume > 0) {
         std::vector<Label> all(region.begin(), region.end());
         all.push_back(added);
-        after = badnessOf(editor, all);
+        cut = Cut{loop,
+                  badnessOf(editor, all),
+                  totalExcess(editor, cell, tolerance) + totalExcess(editor, added, tolerance)};
     }
     editor.undoTo(mark);
-    return after;
+    return cut;
+}
+
+/// All cuts that the planes at the reflex edges of a cell allow.
+std::vector<Cut>
+possibleCuts(MeshEditor& editor, Label cell, double tolerance, std::span<const Label> region) {
+    constexpr std::size_t maxEdges = 6;
+    constexpr std::size_t maxFaces = 64; // beyond, the surface is too fine for the cells: no hope
+    std::vector<Cut> cuts;
+    if (editor.cell(cell).faces.size() > maxFaces) return cuts;
+    const std::vector<ReflexEdge> reflex = reflexEdges(editor, cell, tolerance);
+    for (std::size_t i = 0; i < std::min(reflex.size(), maxEdges); ++i) {
+        const EdgeList forbidden = forbiddenEdges(editor, reflex[i], reflex);
+        for (const EdgePlane& plane : planesAt(editor, cell, reflex[i]))
+            for (const double snap : {0.25, 0.05}) {
+                const auto loop = findCuttingLoop(editor, cell, plane, snap, forbidden);
+                if (!loop) continue;
+                auto cut = tryCut(editor, cell, *loop, tolerance, region);
+                if (cut) cuts.push_back(std::move(*cut));
+            }
+    }
+    return cuts;
+}
+
+/// The cut that leaves the least badness, if that is less than `before`.
+const Cut* bestCut(const std::vector<Cut>& cuts, const Badness& before) {
+    const Cut* best = nullptr;
+    for (const Cut& cut : cuts)
+        if (isBetter(cut.after, best ? best->after : before)) best = &cut;
+    return best;
+}
+
+/// The cut that leaves the least concavity, weighing failures as much as an edge of 90 degrees too
+/// many, if that is clearly less than there is: a step on the way to convex pieces.
+const Cut* straightestCut(const std::vector<Cut>& cuts, double excess) {
+    constexpr double rightAngle = 1.57;
+    constexpr double leastGain = 0.2; // [rad]
+    const Cut* best = nullptr;
+    const auto measure = [&](const Cut& cut) {
+        return cut.excess + rightAngle * cut.after.failures;
+    };
+    for (const Cut& cut : cuts)
+        if (cut.excess < excess - leastGain && (!best || measure(cut) < measure(*best)))
+            best = &cut;
+    return best;
 }
 
 bool isBad(MeshEditor& editor, Label cell) {
@@ -116,26 +174,38 @@ std::vector<ReflexEdge> reflexEdges(MeshEditor& editor, Label cell, double toler
 }
 
 Label cutAtReflexEdge(MeshEditor& editor, Label cell, double tolerance) {
-    constexpr std::size_t maxEdges = 6;
-    constexpr std::size_t maxFaces = 64; // beyond, the surface is too fine for the cells: no hope
-    if (editor.cell(cell).faces.size() > maxFaces) return -1;
-    const std::vector<ReflexEdge> reflex = reflexEdges(editor, cell, tolerance);
-    if (reflex.empty()) return -1;
     const std::array<Label, 1> one{cell};
     const std::vector<Label> region = withNeighbours(editor, one);
     const Badness before = badnessOf(editor, region);
-    std::optional<Cut> best;
-    for (std::size_t i = 0; i < std::min(reflex.size(), maxEdges); ++i)
-        for (const EdgePlane& plane : planesAt(editor, cell, reflex[i]))
-            for (const double snap : {0.25, 0.05}) {
-                const auto loop = findCuttingLoop(
-                    editor, cell, plane, snap, forbiddenEdges(editor, reflex[i], reflex));
-                if (!loop) continue;
-                const auto after = tryCut(editor, cell, *loop, region);
-                if (after && isBetter(*after, best ? best->after : before))
-                    best = Cut{*loop, *after};
-            }
+    const std::vector<Cut> cuts = possibleCuts(editor, cell, tolerance, region);
+    const Cut* best = bestCut(cuts, before);
     return best ? cutCell(editor, cell, best->loop) : -1;
+}
+
+Label decomposeCell(MeshEditor& editor, Label cell, double tolerance) {
+    constexpr Label maxCuts = 12;
+    const std::array<Label, 1> one{cell};
+    std::vector<Label> region = withNeighbours(editor, one);
+    const Badness before = badnessOf(editor, region);
+    const MeshEditor::Mark mark = editor.mark();
+    std::deque<Label> pieces{cell};
+    Label count = 0;
+    while (!pieces.empty() && count < maxCuts) {
+        const Label piece = pieces.front();
+        pieces.pop_front();
+        if (!isBad(editor, piece)) continue;
+        const std::vector<Cut> cuts = possibleCuts(editor, piece, tolerance, region);
+        const Cut* cut = straightestCut(cuts, totalExcess(editor, piece, tolerance));
+        if (!cut) continue;
+        const Label added = cutCell(editor, piece, cut->loop);
+        region.push_back(added);
+        pieces.push_back(piece);
+        pieces.push_back(added);
+        ++count;
+    }
+    if (count > 0 && isBetter(badnessOf(editor, region), before)) return count;
+    editor.undoTo(mark);
+    return 0;
 }
 
 SplitCounts splitConcaveCells(MeshEditor& editor, double tolerance) {
@@ -153,14 +223,15 @@ SplitCounts splitConcaveCells(MeshEditor& editor, double tolerance) {
         queue.pop_front();
         if (!isBad(editor, c)) continue;
         const Label added = cutAtReflexEdge(editor, c, tolerance);
-        editor.commit();
-        if (added < 0) {
-            ++counts.left;
-            continue;
+        if (added >= 0) {
+            ++counts.cuts;
+            queue.push_back(c);
+            queue.push_back(added);
+        } else {
+            counts.cuts += decomposeCell(editor, c, tolerance);
+            counts.left += isBad(editor, c);
         }
-        ++counts.cuts;
-        queue.push_back(c);
-        queue.push_back(added);
+        editor.commit();
     }
     return counts;
 }

@@ -37,6 +37,11 @@ struct SplitCounts {
 SplitCounts splitConcaveCells(EditMesh& mesh, double tolerance);
 SplitCounts splitConcaveCells(MeshEditor& editor, double tolerance);
 
+/// Cuts a cell, and the pieces again, by the cuts that leave the least concavity, though a single
+/// one may not make anything better; kept if all of them together do. Returns the number of cuts
+/// made.
+Label decomposeCell(MeshEditor& editor, Label cell, double tolerance);
+
 /// The best cut of a cell at one of its reflex edges, made if it leaves the cells round it better.
 /// Returns the new cell, or -1.
 Label cutAtReflexEdge(MeshEditor& editor, Label cell, double tolerance);

@@ -43,9 +43,13 @@ void countEdges(const CheckContext& context, const std::vector<char>& isBoundary
 
 void countPoints(const CheckContext& context) {
     const std::vector<char> isBoundary = boundaryPoints(context.mesh);
-    if (!std::is_sorted(isBoundary.begin(), isBoundary.end())) return;
-    context.report.topology.internalPoints =
+    const Label internal =
         toLabel(static_cast<std::size_t>(std::count(isBoundary.begin(), isBoundary.end(), 0)));
+    // Unused points count as internal but may stand anywhere.
+    for (Label face = 0; face < context.mesh.internalFaceCount(); ++face)
+        for (const Label point : context.mesh.faces[face])
+            if (isBoundary[index(point)] == 0 && point >= internal) return;
+    context.report.topology.internalPoints = internal;
     if (context.report.options.allTopology) countEdges(context, isBoundary);
 }
 

@@ -146,7 +146,7 @@ struct CellZoneFacts {
 
 /// Facts about the addressing that are reported, not judged.
 struct TopologyFacts {
-    /// Points that no boundary face uses, when they come before all others; else none.
+    /// Points that no boundary face uses, when those of internal faces come first; else none.
     std::optional<Label> internalPoints;
     Label edges = 0; // with internalPoints and allTopology only
     Label internalEdges = 0;

@@ -6,6 +6,7 @@
 #include "libpolymesh/quality/cellTopology.h"
 #include "libpolymesh/quality/editQuality.h"
 #include "libpolymesh/quality/mergeFaces.h"
+#include "libpolymesh/quality/splitConcaveCells.h"
 
 #include <algorithm>
 #include <array>
@@ -53,6 +54,15 @@ bool isSmall(MeshEditor& editor, Label c, double minVolume) {
     return editor.cellGeometry(c).volume < minVolume * cell.size * cell.size * cell.size;
 }
 
+/// How far the edges of a cell turn the wrong way, in all [rad].
+double concavityOf(MeshEditor& editor, Label cell) {
+    constexpr double tolerance = 0.05; // [rad]
+    double sum = 0;
+    for (const ReflexEdge& edge : reflexEdges(editor, cell, tolerance))
+        sum += edge.excess;
+    return sum;
+}
+
 } // namespace
 
 std::vector<MergePartner> mergePartners(MeshEditor& editor, Label cell) {
@@ -97,17 +107,25 @@ bool mergeCells(MeshEditor& editor, Label from, Label into) {
 }
 
 Label mergeIntoBestPartner(MeshEditor& editor, Label cell) {
+    Label best = -1;
+    double least = 0;
     for (const MergePartner& partner : mergePartners(editor, cell)) {
         const std::array<Label, 2> both{cell, partner.cell};
         const std::vector<Label> region = withNeighbours(editor, both);
         const Badness before = badnessOf(editor, region);
         const MeshEditor::Mark mark = editor.mark();
-        if (mergeCells(editor, cell, partner.cell) &&
-            isNoWorse(badnessOf(editor, region), before) && allBalls(editor, region))
-            return partner.cell;
+        if (mergeCells(editor, cell, partner.cell) && allBalls(editor, region) &&
+            isNoWorse(badnessOf(editor, region), before)) {
+            const double concavity = concavityOf(editor, partner.cell);
+            if (best < 0 || concavity < least - 1e-6) {
+                best = partner.cell;
+                least = concavity;
+            }
+        }
         editor.undoTo(mark);
     }
-    return -1;
+    if (best >= 0) mergeCells(editor, cell, best);
+    return best;
 }
 
 Label mergeSmallCells(MeshEditor& editor, double minVolume) {

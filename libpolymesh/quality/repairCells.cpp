@@ -6,6 +6,7 @@
 #include "libpolymesh/quality/collapseEdges.h"
 #include "libpolymesh/quality/editQuality.h"
 #include "libpolymesh/quality/mergeCells.h"
+#include "libpolymesh/quality/polygons.h"
 #include "libpolymesh/quality/splitConcaveCells.h"
 
 #include <algorithm>
@@ -24,13 +25,16 @@ constexpr std::size_t maxFaces = 64;         // of a cell that is worth the effo
 constexpr double longestCollapse = 0.5;      // of the size of the cell
 constexpr double largestVolumeChange = 2e-3; // of the cube of the size of the cell
 
-enum class Remedy : std::uint8_t { cut, merge, collapse };
+enum class Remedy : std::uint8_t { cut, merge, collapse, collapseAll };
+
+constexpr std::array<double, 3> shortLimits{
+    0.03, 0.06, 0.12}; // for collapseAll, of the size of the cell
 
 /// A change that might be made, and what it would do to the badness round it.
 struct Proposal {
     Remedy remedy = Remedy::cut;
-    Label from = -1; // cell or point
-    Label to = -1;
+    Label from = -1;    // cell or point
+    Label to = -1;      // cell or point; for collapseAll which limit
     Label failures = 0; // the change: negative is good
     double severity = 0;
 };
@@ -56,6 +60,44 @@ double volumeOf(MeshEditor& editor, std::span<const Label> cells) {
     return volume;
 }
 
+/// The edges of a cell that are shorter than `limit`, the shortest first.
+std::vector<std::pair<Label, Label>>
+shortEdgesOf(const MeshEditor& editor, Label cell, double limit) {
+    std::vector<EdgeUse> uses;
+    collectEdgeUses(editor.mesh(), cell, uses);
+    std::vector<std::pair<double, std::pair<Label, Label>>> edges;
+    for (std::size_t i = 0; i + 1 < uses.size(); i += 2) {
+        const double length = norm(editor.point(uses[i].low) - editor.point(uses[i].high));
+        if (length < limit) edges.push_back({length, {uses[i].low, uses[i].high}});
+    }
+    std::sort(edges.begin(), edges.end());
+    std::vector<std::pair<Label, Label>> sorted;
+    for (const auto& edge : edges)
+        sorted.push_back(edge.second);
+    return sorted;
+}
+
+/// Collapses all short edges of a cell that can be, whatever a single one does to the quality: the
+/// two ends of a narrow strip have to go together. Returns the number of edges.
+Label collapseAll(MeshEditor& editor, Label cell, double limit) {
+    Label count = 0;
+    for (const auto& [a, b] : shortEdgesOf(editor, cell, limit * editor.cell(cell).size))
+        for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}}) {
+            const auto faces = editor.facesOfPoint(from);
+            const bool exists = std::any_of(faces.begin(), faces.end(), [&](Label f) {
+                return hasEdge(editor.face(f).points, from, to);
+            });
+            if (!exists || !mayCollapse(editor, from, to)) continue;
+            const MeshEditor::Mark mark = editor.mark();
+            if (collapseEdge(editor, from, to)) {
+                ++count;
+                break;
+            }
+            editor.undoTo(mark);
+        }
+    return count;
+}
+
 /// Looks for the best change round one cell.
 class RepairSearch {
 public:
@@ -67,6 +109,8 @@ public:
             if (editor_.cell(partner.cell).faces.size() <= maxFaces)
                 proposeMerge(cell_, partner.cell);
         proposeCollapses();
+        for (std::size_t i = 0; i < shortLimits.size(); ++i)
+            proposeCollapseAll(toLabel(i));
         return best_;
     }
 
@@ -126,6 +170,26 @@ private:
         editor_.undoTo(mark);
     }
 
+    void proposeCollapseAll(Label limit) {
+        const double size = editor_.cell(cell_).size;
+        std::vector<Label> region;
+        for (const auto& [a, b] : shortEdgesOf(editor_, cell_, shortLimits[index(limit)] * size))
+            for (const Label p : {a, b}) {
+                const std::vector<Label> cells = cellsOfPoint(editor_, p);
+                region.insert(region.end(), cells.begin(), cells.end());
+            }
+        std::sort(region.begin(), region.end());
+        region.erase(std::unique(region.begin(), region.end()), region.end());
+        const Badness before = badnessOf(editor_, region);
+        const double volume = volumeOf(editor_, region);
+        const MeshEditor::Mark mark = editor_.mark();
+        if (collapseAll(editor_, cell_, shortLimits[index(limit)]) > 0 &&
+            allBalls(editor_, region) &&
+            std::abs(volumeOf(editor_, region) - volume) < largestVolumeChange * size * size * size)
+            consider({Remedy::collapseAll, cell_, limit}, before, badnessOf(editor_, region));
+        editor_.undoTo(mark);
+    }
+
     MeshEditor& editor_;
     Label cell_;
     std::optional<Proposal> best_;
@@ -145,6 +209,10 @@ void apply(MeshEditor& editor,
         mergeCells(editor, proposal.from, proposal.to);
         cells = {proposal.to};
         ++counts.merges;
+    } else if (proposal.remedy == Remedy::collapseAll) {
+        const std::array<Label, 1> one{proposal.from};
+        cells = withNeighbours(editor, one);
+        counts.collapses += collapseAll(editor, proposal.from, shortLimits[index(proposal.to)]);
     } else {
         cells = cellsOfPoint(editor, proposal.from);
         collapseEdge(editor, proposal.from, proposal.to);

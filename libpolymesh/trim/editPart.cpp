@@ -42,14 +42,22 @@ public:
 private:
     Label cellOf(Label meshCell) const { return editCell_[index(meshCell)]; }
 
-    /// Marks the mesh points that the surface moves near: nodes of faces that are cut.
+    /// Marks the mesh points that a crossing may be collapsed with.
     std::vector<std::uint8_t> nearPoints() const {
         std::vector<std::uint8_t> isNear(trim_.mesh.points.size(), 0);
         const Probe& probe = trim_.probe;
         for (Label e = 0; e < probe.edgeCount(); ++e)
-            if (trim_.arrangement.crossings.rowSize(e) != 0)
-                for (const Label n : probe.edges[index(e)])
-                    if (n < probe.meshNodeCount()) isNear[index(probe.nodes[index(n)])] = 1;
+            for (Label x = trim_.arrangement.crossings.offsets[index(e)];
+                 x < trim_.arrangement.crossings.offsets[index(e) + 1];
+                 ++x)
+                for (const Label n : probe.edges[index(e)]) {
+                    if (n >= probe.meshNodeCount() || probe.nodes[index(n)] < 0) continue;
+                    const Vec3& p = trim_.positions[index(trim_.arrangement.firstCrossing() + x)];
+                    const double reach =
+                        trim_.minEdge * trim_.cellSizes[index(probe.edgeCell[index(e)])];
+                    if (norm(p - probe.nodePoints[index(n)]) <= 2 * reach)
+                        isNear[index(probe.nodes[index(n)])] = 1;
+                }
         return isNear;
     }
 
@@ -62,8 +70,15 @@ private:
         });
         for (const Label local : trim_.cells.localCell)
             part_.states[index(trim_.probe.cells[index(local)])] = CellState::edited;
-        const std::vector<std::uint8_t> isNear = nearPoints();
         isRing_.assign(index(mesh.cellCount), 0);
+        for (Label f = 0; f < trim_.probe.faceCount(); ++f) {
+            const Label meshFace = trim_.probe.faces[index(f)];
+            if (meshFace < 0 || trim_.loops.offsets[index(f)] == trim_.loops.offsets[index(f) + 1])
+                continue;
+            markRing(mesh.owner[index(meshFace)]);
+            if (mesh.isInternal(meshFace)) markRing(mesh.neighbour[index(meshFace)]);
+        }
+        const std::vector<std::uint8_t> isNear = nearPoints();
         for (Label f = 0; f < mesh.faceCount(); ++f) {
             const bool touches =
                 std::ranges::any_of(mesh.faces[f], [&](Label p) { return isNear[index(p)] != 0; });

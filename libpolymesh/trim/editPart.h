@@ -39,11 +39,13 @@ struct TrimResult {
     const TrimmedCells& cells;
     const std::vector<std::int8_t>& cellWinding; // of cells outside the probe
     const std::vector<double>& cellSizes;        // of probed cells
+    double minEdge = 0;                          // edges may be collapsed below this, times size
 };
 
-/// Gathers the pieces of the probed cells, and the cells that share a point with a cut one, as an
-/// EditMesh; the cells next to those are frozen. Patches are numbered as in the mesh, the regions
-/// of the surface follow. Cost: O(faces of the mesh), small constant.
+/// Gathers the pieces of the probed cells, the cells that share a face with one, and those round
+/// points that may be collapsed, as an EditMesh; the cells next to those are frozen. Patches are
+/// numbered as in the mesh, the regions of the surface follow. Cost: O(faces of the mesh), small
+/// constant.
 EditPart buildEditPart(const TrimResult& trim,
                        const SurfaceFeatures& features,
                        const std::vector<Label>& representative);

@@ -92,29 +92,59 @@ void joinEdges(const Probe& probe, const Arrangement& arrangement, WindingSets& 
     }
 }
 
-void joinCells(const PolyMesh& mesh, const Probe& probe, WindingSets& sets) {
-    const Label firstCell = probe.nodeCount();
-    Label local = 0; // walks along probe.faces
-    for (Label f = 0; f < mesh.faceCount(); ++f) {
-        if (local < probe.faceCount() && probe.faces[index(local)] == f) {
-            const auto& cells = probe.faceCells[index(local)];
-            const Label node = probe.faceNodes[local][0];
-            if (cells[0] < 0) sets.join(firstCell + mesh.owner[index(f)], node, 0);
-            if (cells[1] < 0 && mesh.isInternal(f))
-                sets.join(firstCell + mesh.neighbour[index(f)], node, 0);
-            ++local;
-        } else if (mesh.isInternal(f)) {
-            sets.join(firstCell + mesh.owner[index(f)], firstCell + mesh.neighbour[index(f)], 0);
-        }
+constexpr std::int8_t unknown = INT8_MAX;
+
+/// Gives cells that nothing touches the number of the probed faces that they share.
+void windNeighbours(const PolyMesh& mesh,
+                    const Probe& probe,
+                    const Arrangement& arrangement,
+                    std::vector<std::int8_t>& cellWinding) {
+    for (Label f = 0; f < probe.faceCount(); ++f) {
+        const Label meshFace = probe.faces[index(f)];
+        const auto& cells = probe.faceCells[index(f)];
+        const std::int8_t winding = arrangement.winding[index(probe.faceNodes[f][0])];
+        if (cells[0] < 0) cellWinding[index(mesh.owner[index(meshFace)])] = winding;
+        if (cells[1] < 0 && mesh.isInternal(meshFace))
+            cellWinding[index(mesh.neighbour[index(meshFace)])] = winding;
     }
 }
 
-/// A mesh point of each cell that is not probed, for rays.
-std::vector<Label> samplePoints(const PolyMesh& mesh) {
-    std::vector<Label> sample(index(mesh.cellCount), 0);
-    for (Label f = mesh.faceCount() - 1; f >= 0; --f)
-        sample[index(mesh.owner[index(f)])] = mesh.faces[f][0];
-    return sample;
+/// Carries numbers from cell to cell through faces that nothing touches, in sweeps forward and
+/// backward over the faces; their order makes a few sweeps do for all but labyrinths.
+void sweepCells(const PolyMesh& mesh, const Probe& probe, std::vector<std::int8_t>& cellWinding) {
+    bool isChanged = true;
+    const auto carry = [&](Label f) {
+        const Label a = mesh.owner[index(f)];
+        const Label b = mesh.neighbour[index(f)];
+        std::int8_t& atA = cellWinding[index(a)];
+        std::int8_t& atB = cellWinding[index(b)];
+        if ((atA == unknown) == (atB == unknown)) return;
+        if (probe.localCell[index(a)] >= 0 || probe.localCell[index(b)] >= 0) return;
+        (atA == unknown ? atA : atB) = atA == unknown ? atB : atA;
+        isChanged = true;
+    };
+    while (isChanged) {
+        isChanged = false;
+        for (Label f = 0; f < mesh.internalFaceCount(); ++f)
+            carry(f);
+        for (Label f = mesh.internalFaceCount() - 1; f >= 0; --f)
+            carry(f);
+    }
+}
+
+/// Asks rays about cells that no probed cell reaches, piece by piece.
+void windIslands(const PolyMesh& mesh,
+                 const Probe& probe,
+                 const CuttingSurface& cutter,
+                 int shift,
+                 std::vector<std::int8_t>& cellWinding) {
+    for (Label f = 0; f < mesh.faceCount(); ++f) {
+        std::int8_t& winding = cellWinding[index(mesh.owner[index(f)])];
+        if (winding != unknown) continue;
+        const Vec3& p = mesh.points[index(mesh.faces[f][0])];
+        winding = static_cast<std::int8_t>(windingNumber(cutter, p) + shift);
+        sweepCells(mesh, probe, cellWinding);
+    }
 }
 
 } // namespace
@@ -134,32 +164,24 @@ std::vector<std::int8_t> windNodes(const PolyMesh& mesh,
                                    const CuttingSurface& cutter,
                                    int shift,
                                    Arrangement& arrangement) {
-    const Label nodeCount = probe.nodeCount();
-    WindingSets sets(index(nodeCount) + index(mesh.cellCount));
+    WindingSets sets(index(probe.nodeCount()));
     joinEdges(probe, arrangement, sets);
-    joinCells(mesh, probe, sets);
-
-    constexpr int unknown = INT16_MIN;
-    std::vector<int> rootWinding(index(nodeCount) + index(mesh.cellCount), unknown);
-    std::vector<Label> sample;
-    const auto windingOf = [&](Label element) {
-        const auto [root, number] = sets.find(element);
+    constexpr int notAsked = INT16_MIN;
+    std::vector<int> rootWinding(index(probe.nodeCount()), notAsked);
+    arrangement.winding.resize(index(probe.nodeCount()));
+    for (Label n = 0; n < probe.nodeCount(); ++n) {
+        const auto [root, number] = sets.find(n);
         int& atRoot = rootWinding[index(root)];
-        if (atRoot == unknown) {
-            if (element >= nodeCount && sample.empty()) sample = samplePoints(mesh);
-            const Vec3& p = element < nodeCount
-                                ? probe.nodePoints[index(element)]
-                                : mesh.points[index(sample[index(element - nodeCount)])];
-            atRoot = windingNumber(cutter, p) - number;
-        }
-        return static_cast<std::int8_t>(atRoot + number + shift);
-    };
-    arrangement.winding.resize(index(nodeCount));
-    for (Label n = 0; n < nodeCount; ++n)
-        arrangement.winding[index(n)] = windingOf(n);
-    std::vector<std::int8_t> cellWinding(index(mesh.cellCount), 0);
-    for (Label c = 0; c < mesh.cellCount; ++c)
-        if (probe.localCell[index(c)] < 0) cellWinding[index(c)] = windingOf(nodeCount + c);
+        if (atRoot == notAsked) atRoot = windingNumber(cutter, probe.nodePoints[index(n)]) - number;
+        arrangement.winding[index(n)] = static_cast<std::int8_t>(atRoot + number + shift);
+    }
+
+    std::vector<std::int8_t> cellWinding(index(mesh.cellCount), unknown);
+    for (const Label c : probe.cells)
+        cellWinding[index(c)] = 0;
+    windNeighbours(mesh, probe, arrangement, cellWinding);
+    sweepCells(mesh, probe, cellWinding);
+    windIslands(mesh, probe, cutter, shift, cellWinding);
     return cellWinding;
 }
 

@@ -10,6 +10,7 @@
 #include "libpolymesh/trim/arrangement.h"
 #include "libpolymesh/trim/assemble.h"
 #include "libpolymesh/trim/coincident.h"
+#include "libpolymesh/trim/dropOutside.h"
 #include "libpolymesh/trim/editPart.h"
 #include "libpolymesh/trim/loops.h"
 #include "libpolymesh/trim/nodes.h"
@@ -80,19 +81,20 @@ void count(const EditPart& part, const PolyMesh& result, TrimSummary& summary) {
 
 } // namespace
 
-Trimmed trim(const PolyMesh& mesh, TriSurface surface, const TrimOptions& options) {
+Trimmed trim(PolyMesh mesh, TriSurface surface, const TrimOptions& options) {
     Trimmed result;
     const bool isOutside = options.keep == Keep::outside;
     options.onStage("candidates");
     if (isOutside) turnInsideOut(surface);
     CuttingSurface cutter{&surface, pairEdges(surface), triangleBoxes(surface)};
-    const Probe probe = buildProbe(mesh, surface, cutter.triangleBoxes);
+    Probe probe = buildProbe(mesh, surface, cutter.triangleBoxes);
 
     options.onStage("edges");
     Arrangement arrangement;
     crossEdges(probe, cutter, arrangement);
-    const std::vector<std::int8_t> cellWinding =
+    std::vector<std::int8_t> cellWinding =
         windNodes(mesh, probe, cutter, isOutside ? 1 : 0, arrangement);
+    dropOutside(mesh, probe, cellWinding);
 
     options.onStage("faces");
     pierceFacets(probe, cutter, arrangement);
@@ -123,7 +125,8 @@ Trimmed trim(const PolyMesh& mesh, TriSurface surface, const TrimOptions& option
                                    boundary,
                                    cells,
                                    cellWinding,
-                                   cellSizes},
+                                   cellSizes,
+                                   options.minEdge},
                                   features,
                                   mergeCoincident(probe, cutter, arrangement));
     tidy(part, options, result.summary);

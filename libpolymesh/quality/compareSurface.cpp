@@ -74,10 +74,12 @@ class PartBoundary {
 public:
     PartBoundary(const PolyMesh& mesh, const std::vector<Label>& patches)
         : mesh_(mesh), patches_(patches), areas_(patches.size(), 0.0) {
-        for (std::size_t p = 0; p < patches.size(); ++p) {
-            const Patch& patch = mesh.patches[index(patches[p])];
+        Label part = 0;
+        for (const Label p : patches) {
+            const Patch& patch = mesh.patches[index(p)];
             for (Label face = patch.start; face < patch.start + patch.size; ++face)
-                addFace(face, toLabel(p));
+                addFace(face, part);
+            ++part;
         }
         require(triangles_.triangleCount() > 0, "the patches to compare have no faces");
         triangles_.regionNames.emplace_back("boundary");
@@ -94,8 +96,8 @@ public:
     /// Volume within the faces, positive whichever way they point.
     double volume() const {
         long double sum = 0;
-        for (std::size_t p = 0; p < patches_.size(); ++p) {
-            const Patch& patch = mesh_.patches[index(patches_[p])];
+        for (const Label p : patches_) {
+            const Patch& patch = mesh_.patches[index(p)];
             for (Label face = patch.start; face < patch.start + patch.size; ++face) {
                 const FaceGeometry geometry = faceGeometry(mesh_.points, mesh_.faces[face]);
                 sum += static_cast<long double>(dot(geometry.area, geometry.centre - origin_));

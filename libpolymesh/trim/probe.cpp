@@ -37,24 +37,32 @@ double meanCellSize(const PolyMesh& mesh) {
     return std::cbrt(volume / std::max<double>(1, static_cast<double>(mesh.cellCount)));
 }
 
-/// Cells whose range of bins holds a triangle: 1, else 0.
-std::vector<std::uint8_t>
-findNearCells(const PolyMesh& mesh, const TriangleBins& bins, std::vector<Range>& cellRanges) {
+/// The cells whose range of bins holds a triangle, and those ranges.
+struct NearCells {
+    std::vector<std::uint8_t> marked; // one per mesh cell: 1 or 0
+    std::vector<Range> ranges;        // of the marked cells, in order
+};
+
+NearCells findNearCells(const PolyMesh& mesh, const TriangleBins& bins) {
     std::vector<TriangleBins::Index> binOf(mesh.points.size());
     parallelFor(mesh.pointCount(),
                 [&](Label p) { binOf[index(p)] = bins.binOf(mesh.points[index(p)]); });
-    cellRanges.assign(index(mesh.cellCount), Range{});
+    std::vector<Range> ranges(index(mesh.cellCount));
     for (Label f = 0; f < mesh.faceCount(); ++f) {
         Range range;
         for (const Label p : mesh.faces[f])
             range.add(binOf[index(p)]);
-        cellRanges[index(mesh.owner[index(f)])].add(range);
-        if (mesh.isInternal(f)) cellRanges[index(mesh.neighbour[index(f)])].add(range);
+        ranges[index(mesh.owner[index(f)])].add(range);
+        if (mesh.isInternal(f)) ranges[index(mesh.neighbour[index(f)])].add(range);
     }
-    std::vector<std::uint8_t> isNear(index(mesh.cellCount));
-    parallelFor(mesh.cellCount,
-                [&](Label c) { isNear[index(c)] = bins.isOccupied(cellRanges[index(c)]) ? 1 : 0; });
-    return isNear;
+    NearCells cells;
+    cells.marked.resize(index(mesh.cellCount));
+    parallelFor(mesh.cellCount, [&](Label c) {
+        cells.marked[index(c)] = bins.isOccupied(ranges[index(c)]) ? 1 : 0;
+    });
+    for (Label c = 0; c < mesh.cellCount; ++c)
+        if (cells.marked[index(c)] != 0) cells.ranges.push_back(ranges[index(c)]);
+    return cells;
 }
 
 /// Numbers the cells marked and lists their faces.
@@ -112,7 +120,7 @@ Rows<Label> findTriangles(const PolyMesh& mesh,
         std::vector<Label> found;
         for (Label c = first; c < last; ++c) {
             found.clear();
-            bins.collect(cellRanges[index(probe.cells[index(c)])], found);
+            bins.collect(cellRanges[index(c)], found);
             const Box box = cellBox(mesh, probe, c);
             std::erase_if(found, [&](Label t) {
                 return !overlaps(triangleBoxes[index(t)], box) || planeMisses(surface, t, box);
@@ -266,14 +274,14 @@ Probe buildProbe(const PolyMesh& mesh,
                  const TriSurface& surface,
                  const std::vector<Box>& triangleBoxes) {
     const TriangleBins bins(surface, meanCellSize(mesh));
-    std::vector<Range> cellRanges;
-    std::vector<std::uint8_t> isNear = findNearCells(mesh, bins, cellRanges);
+    NearCells nearCells = findNearCells(mesh, bins);
     Probe probe;
-    addCells(mesh, isNear, probe);
-    Rows<Label> triangles = findTriangles(mesh, surface, triangleBoxes, bins, cellRanges, probe);
+    addCells(mesh, nearCells.marked, probe);
+    Rows<Label> triangles =
+        findTriangles(mesh, surface, triangleBoxes, bins, nearCells.ranges, probe);
     for (Label c = 0; c < probe.cellCount(); ++c)
-        if (triangles.rowSize(c) == 0) isNear[index(probe.cells[index(c)])] = 0;
-    addCells(mesh, isNear, probe);
+        if (triangles.rowSize(c) == 0) nearCells.marked[index(probe.cells[index(c)])] = 0;
+    addCells(mesh, nearCells.marked, probe);
     for (Label c = 0; c < triangles.size(); ++c)
         if (triangles.rowSize(c) != 0)
             probe.triangles.offsets.push_back(probe.triangles.offsets.back() +

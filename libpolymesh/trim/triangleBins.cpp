@@ -13,7 +13,7 @@ namespace polymesh {
 
 namespace {
 
-constexpr double maxBins = 8e6;
+constexpr double maxBins = 1.5e6;
 
 using Polygon = boost::container::static_vector<Vec3, 9>;
 

@@ -28,7 +28,7 @@ public:
         void add(const Range& r);
     };
 
-    /// `binSize` [m] is a wish: at most some 10^7 bins are made. Cost: O(triangles + pairs).
+    /// `binSize` [m] is a wish: at most some 10^6 bins are made. Cost: O(triangles + pairs).
     TriangleBins(const TriSurface& surface, double binSize);
 
     /// The bin of a point; -1 or the bin count of the axis where it lies outside the surface's box.

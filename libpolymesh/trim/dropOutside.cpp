@@ -76,10 +76,11 @@ private:
             mesh_.patches[p].start = starts[p];
             mesh_.patches[p].size = (p + 1 < starts.size() ? starts[p + 1] : faces) - starts[p];
         }
-        shrink(mesh_.faces.values, index(corners));
+        // The small ones first: shrinking holds the old and the new array for a moment.
         shrink(mesh_.faces.offsets, index(faces) + 1);
         shrink(mesh_.owner, index(faces));
         shrink(mesh_.neighbour, index(internal));
+        shrink(mesh_.faces.values, index(corners));
     }
 
     void dropPoints() {

@@ -209,25 +209,24 @@ void numberEdges(Probe& probe) {
 
     Rows<Use> uses; // by lower node
     uses.offsets.assign(index(probe.nodeCount()) + 1, 0);
-    std::vector<Label> nextNode(corners.values.size());
-    for (Label f = 0; f < corners.size(); ++f) {
-        const Label first = corners.offsets[index(f)];
-        const Label last = corners.offsets[index(f) + 1];
-        for (Label i = first; i < last; ++i) {
-            const Label other = corners.values[index(i + 1 < last ? i + 1 : first)];
-            nextNode[index(i)] = other;
-            ++uses.offsets[index(std::min(corners.values[index(i)], other)) + 1];
+    const auto visit = [&](auto&& use) { // (node, next node, corner) of every facet
+        for (Label f = 0; f < corners.size(); ++f) {
+            const Label first = corners.offsets[index(f)];
+            const Label last = corners.offsets[index(f) + 1];
+            for (Label i = first; i < last; ++i)
+                use(corners.values[index(i)],
+                    corners.values[index(i + 1 < last ? i + 1 : first)],
+                    i);
         }
-    }
+    };
+    visit([&](Label a, Label b, Label) { ++uses.offsets[index(std::min(a, b)) + 1]; });
     for (std::size_t n = 1; n < uses.offsets.size(); ++n)
         uses.offsets[n] += uses.offsets[n - 1];
     uses.values.resize(corners.values.size());
     std::vector<Label> next(uses.offsets.begin(), uses.offsets.end() - 1);
-    for (std::size_t i = 0; i < corners.values.size(); ++i) {
-        const Label a = corners.values[i];
-        const Label b = nextNode[i];
-        uses.values[index(next[index(std::min(a, b))]++)] = {std::max(a, b), toLabel(i)};
-    }
+    visit([&](Label a, Label b, Label corner) {
+        uses.values[index(next[index(std::min(a, b))]++)] = {std::max(a, b), corner};
+    });
     parallelFor(probe.nodeCount(), [&](Label n) {
         std::ranges::sort(uses[n], [](const Use& a, const Use& b) {
             return a.high != b.high ? a.high < b.high : a.corner < b.corner;

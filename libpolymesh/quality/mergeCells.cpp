@@ -16,6 +16,7 @@ namespace polymesh {
 
 namespace {
 
+constexpr double largestMerged = 2.6;  // volume of a merged cell, of the cube of its size
 constexpr double interfaceAngle = 0.1; // [rad] faces against one cell that turn less become one
 
 void sortUnique(std::vector<Label>& labels) {
@@ -52,6 +53,11 @@ bool isSmall(MeshEditor& editor, Label c, double minVolume) {
     const EditCell& cell = editor.cell(c);
     if (cell.frozen || cell.isRemoved()) return false;
     return editor.cellGeometry(c).volume < minVolume * cell.size * cell.size * cell.size;
+}
+
+bool isHuge(MeshEditor& editor, Label cell) {
+    const double size = editor.cell(cell).size;
+    return editor.cellGeometry(cell).volume > largestMerged * size * size * size;
 }
 
 /// How far the edges of a cell turn the wrong way, in all [rad].
@@ -115,7 +121,7 @@ Label mergeIntoBestPartner(MeshEditor& editor, Label cell) {
         const Badness before = badnessOf(editor, region);
         const MeshEditor::Mark mark = editor.mark();
         if (mergeCells(editor, cell, partner.cell) && allBalls(editor, region) &&
-            isNoWorse(badnessOf(editor, region), before)) {
+            isNoWorse(badnessOf(editor, region), before) && !isHuge(editor, partner.cell)) {
             const double concavity = concavityOf(editor, partner.cell);
             if (best < 0 || concavity < least - 1e-6) {
                 best = partner.cell;

@@ -25,7 +25,9 @@ constexpr std::size_t maxFaces = 64;         // of a cell that is worth the effo
 constexpr double longestCollapse = 0.5;      // of the size of the cell
 constexpr double largestVolumeChange = 2e-3; // of the cube of the size of the cell
 
-enum class Remedy : std::uint8_t { cut, merge, collapse, collapseAll };
+constexpr double largestMerged = 2.6; // volume of a merged cell, of the cube of its size
+
+enum class Remedy : std::uint8_t { cut, merge, collapse, collapseAll, cutAnywhere };
 
 constexpr std::array<double, 3> shortLimits{
     0.03, 0.06, 0.12}; // for collapseAll, of the size of the cell
@@ -104,14 +106,15 @@ public:
     RepairSearch(MeshEditor& editor, Label cell) : editor_(editor), cell_(cell) {}
 
     std::optional<Proposal> best() {
-        proposeCut();
+        proposeCut(Remedy::cut);
         for (const MergePartner& partner : mergePartners(editor_, cell_))
             if (editor_.cell(partner.cell).faces.size() <= maxFaces)
                 proposeMerge(cell_, partner.cell);
         proposeCollapses();
         for (std::size_t i = 0; i < shortLimits.size(); ++i)
             proposeCollapseAll(toLabel(i));
-        return best_;
+        if (!best_) proposeCut(Remedy::cutAnywhere);
+        return best_ ? best_ : fallback_;
     }
 
 private:
@@ -119,17 +122,27 @@ private:
         proposal.failures = after.failures - before.failures;
         proposal.severity = after.severity - before.severity;
         if (isGood(proposal) && (!best_ || isBetterThan(proposal, *best_))) best_ = proposal;
+        // A narrow strip may go on in the next cell: taking it away here moves the trouble there,
+        // where the next step takes it away too. This ends, as each collapse removes a point.
+        const bool passesOn = proposal.failures <= 0 && proposal.severity < 0.1;
+        if (proposal.remedy == Remedy::collapseAll && passesOn && !fallback_) fallback_ = proposal;
     }
 
-    void proposeCut() {
+    bool isHuge(Label cell) {
+        const double size = editor_.cell(cell).size;
+        return editor_.cellGeometry(cell).volume > largestMerged * size * size * size;
+    }
+
+    void proposeCut(Remedy remedy) {
         const std::array<Label, 1> one{cell_};
         std::vector<Label> region = withNeighbours(editor_, one);
         const Badness before = badnessOf(editor_, region);
         const MeshEditor::Mark mark = editor_.mark();
-        const Label added = cutAtReflexEdge(editor_, cell_, concaveAngle);
+        const Label added = remedy == Remedy::cut ? cutAtReflexEdge(editor_, cell_, concaveAngle)
+                                                  : cutAtAnyEdge(editor_, cell_);
         if (added >= 0) {
             region.push_back(added);
-            consider({Remedy::cut, cell_, -1}, before, badnessOf(editor_, region));
+            consider({remedy, cell_, -1}, before, badnessOf(editor_, region));
         }
         editor_.undoTo(mark);
     }
@@ -139,7 +152,7 @@ private:
         const std::vector<Label> region = withNeighbours(editor_, both);
         const Badness before = badnessOf(editor_, region);
         const MeshEditor::Mark mark = editor_.mark();
-        if (mergeCells(editor_, from, into) && allBalls(editor_, region))
+        if (mergeCells(editor_, from, into) && allBalls(editor_, region) && !isHuge(into))
             consider({Remedy::merge, from, into}, before, badnessOf(editor_, region));
         editor_.undoTo(mark);
     }
@@ -193,6 +206,7 @@ private:
     MeshEditor& editor_;
     Label cell_;
     std::optional<Proposal> best_;
+    std::optional<Proposal> fallback_;
 };
 
 /// Makes the change; the cells that should be looked at again are added to `touched`.
@@ -201,8 +215,10 @@ void apply(MeshEditor& editor,
            RepairCounts& counts,
            std::deque<Label>& touched) {
     std::vector<Label> cells;
-    if (proposal.remedy == Remedy::cut) {
-        const Label added = cutAtReflexEdge(editor, proposal.from, concaveAngle);
+    if (proposal.remedy == Remedy::cut || proposal.remedy == Remedy::cutAnywhere) {
+        const Label added = proposal.remedy == Remedy::cut
+                                ? cutAtReflexEdge(editor, proposal.from, concaveAngle)
+                                : cutAtAnyEdge(editor, proposal.from);
         cells = {proposal.from, added};
         ++counts.cuts;
     } else if (proposal.remedy == Remedy::merge) {

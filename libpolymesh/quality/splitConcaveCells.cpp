@@ -55,6 +55,7 @@ EdgeList forbiddenEdges(const MeshEditor& editor,
         for (const Label q : polygon) {
             const std::pair<Label, Label> e{std::min(p, q), std::max(p, q)};
             p = q;
+            if (e.first == edge.low && e.second == edge.high) continue;
             const bool isReflex =
                 std::any_of(reflex.begin(), reflex.end(), [&](const ReflexEdge& r) {
                     return r.low == e.first && r.high == e.second;
@@ -120,6 +121,24 @@ possibleCuts(MeshEditor& editor, Label cell, double tolerance, std::span<const L
     return cuts;
 }
 
+/// Cuts in the planes that halve the angles at all edges of a cell, concave or not.
+std::vector<Cut> halvingCuts(MeshEditor& editor, Label cell, std::span<const Label> region) {
+    constexpr std::size_t maxFaces = 40; // the number of edges to try grows with the faces
+    std::vector<Cut> cuts;
+    if (editor.cell(cell).faces.size() > maxFaces) return cuts;
+    const double noTolerance = -4; // [rad] no angle is excluded
+    const std::vector<ReflexEdge> edges = reflexEdges(editor, cell, noTolerance);
+    for (const ReflexEdge& edge : edges) {
+        const EdgePlane middle = planesAt(editor, cell, edge).back();
+        const auto loop =
+            findCuttingLoop(editor, cell, middle, 0.25, forbiddenEdges(editor, edge, {}));
+        if (!loop) continue;
+        auto cut = tryCut(editor, cell, *loop, 0.1, region);
+        if (cut) cuts.push_back(std::move(*cut));
+    }
+    return cuts;
+}
+
 /// The cut that leaves the least badness, if that is less than `before`.
 const Cut* bestCut(const std::vector<Cut>& cuts, const Badness& before) {
     const Cut* best = nullptr;
@@ -178,6 +197,15 @@ Label cutAtReflexEdge(MeshEditor& editor, Label cell, double tolerance) {
     const std::vector<Label> region = withNeighbours(editor, one);
     const Badness before = badnessOf(editor, region);
     const std::vector<Cut> cuts = possibleCuts(editor, cell, tolerance, region);
+    const Cut* best = bestCut(cuts, before);
+    return best ? cutCell(editor, cell, best->loop) : -1;
+}
+
+Label cutAtAnyEdge(MeshEditor& editor, Label cell) {
+    const std::array<Label, 1> one{cell};
+    const std::vector<Label> region = withNeighbours(editor, one);
+    const Badness before = badnessOf(editor, region);
+    const std::vector<Cut> cuts = halvingCuts(editor, cell, region);
     const Cut* best = bestCut(cuts, before);
     return best ? cutCell(editor, cell, best->loop) : -1;
 }

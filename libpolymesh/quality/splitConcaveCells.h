@@ -46,4 +46,8 @@ Label decomposeCell(MeshEditor& editor, Label cell, double tolerance);
 /// Returns the new cell, or -1.
 Label cutAtReflexEdge(MeshEditor& editor, Label cell, double tolerance);
 
+/// The same with the planes that halve the angle at each edge of the cell, concave or not: the last
+/// resort, dearer by an order of magnitude.
+Label cutAtAnyEdge(MeshEditor& editor, Label cell);
+
 } // namespace polymesh

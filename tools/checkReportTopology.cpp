@@ -9,7 +9,7 @@ namespace polymesh::tools {
 void ReportWriter::stats() {
     const TopologyFacts& facts = report_.topology;
     const auto facesPerCell = static_cast<double>(mesh_.faceCount() + mesh_.internalFaceCount()) /
-                              std::max(Label{1}, mesh_.cellCount);
+                              static_cast<double>(std::max(Label{1}, mesh_.cellCount));
     line("Mesh stats ");
     line("    points:           {}", mesh_.pointCount());
     if (facts.internalPoints) {

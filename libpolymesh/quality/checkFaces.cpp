@@ -84,7 +84,7 @@ void checkOrthogonality(const CheckContext& context) {
     MeshFigures& figures = context.report.figures;
     if (count > 0) {
         figures.maxNonOrthogonality = angle(least);
-        figures.averageNonOrthogonality = angle(sum / count);
+        figures.averageNonOrthogonality = angle(sum / static_cast<double>(count));
     }
     store(
         context,
@@ -240,7 +240,7 @@ void checkFlatness(const CheckContext& context) {
     }
     if (count > 0) {
         context.report.figures.minFlatness = least;
-        context.report.figures.averageFlatness = sum / count;
+        context.report.figures.averageFlatness = sum / static_cast<double>(count);
     }
     store(
         context,
@@ -275,7 +275,7 @@ void checkLow(const CheckContext& context, const LowMetric& low, Metric&& metric
     }
     if (count > 0) {
         low.least = least;
-        low.average = sum / count;
+        low.average = sum / static_cast<double>(count);
     }
     store(
         context,

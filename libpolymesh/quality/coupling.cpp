@@ -59,7 +59,8 @@ Coupling coupleFaces(const PolyMesh& mesh, const MeshGeometry& geometry) {
             coupledPoints += mesh.faces.rowSize(patch.start + i);
         }
     }
-    if (coupledPoints > 0) coupling.averageMismatch = mismatchSum / coupledPoints;
+    if (coupledPoints > 0)
+        coupling.averageMismatch = mismatchSum / static_cast<double>(coupledPoints);
     return coupling;
 }
 

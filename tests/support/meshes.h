@@ -11,6 +11,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <numbers>
 #include <random>
 #include <set>
 #include <string>
@@ -96,11 +97,15 @@ inline Polyhedron hexahedron(const std::array<Label, 8>& v) {
 /// A box from the origin to `size`, of nx x ny x nz hexahedra; patches xMin, xMax, yMin ... zMax.
 inline PolyMesh box(Label nx, Label ny, Label nz, const Vec3& size = {1, 1, 1}) {
     const auto at = [&](Label i, Label j, Label k) { return i + (nx + 1) * (j + (ny + 1) * k); };
+    const auto along = [](double length, Label i, Label n) {
+        return length * static_cast<double>(i) / static_cast<double>(n);
+    };
     std::vector<Vec3> points;
     for (Label k = 0; k <= nz; ++k)
         for (Label j = 0; j <= ny; ++j)
             for (Label i = 0; i <= nx; ++i)
-                points.push_back({size.x * i / nx, size.y * j / ny, size.z * k / nz});
+                points.push_back(
+                    {along(size.x, i, nx), along(size.y, j, ny), along(size.z, k, nz)});
     std::vector<Polyhedron> cells;
     for (Label k = 0; k < nz; ++k)
         for (Label j = 0; j < ny; ++j)
@@ -149,7 +154,7 @@ inline PolyMesh jittered(PolyMesh mesh, double amplitude, unsigned seed = 1) {
 inline PolyMesh prismFan(Label n) {
     std::vector<Vec3> points{{0, 0, 0}, {0, 0, 1}};
     for (Label i = 0; i < n; ++i) {
-        const double angle = 2 * 3.14159265358979323846 * i / n;
+        const double angle = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(n);
         points.push_back({std::cos(angle), std::sin(angle), 0});
         points.push_back({std::cos(angle), std::sin(angle), 1});
     }

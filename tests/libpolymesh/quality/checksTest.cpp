@@ -136,7 +136,7 @@ TEST(CheckMesh, isEqualForAnyNumberOfThreads) {
                                     report.figures.averageFlatness};
         for (const CheckResult& result : report.results)
             for (const Label offender : result.offenders)
-                numbers.push_back(offender);
+                numbers.push_back(static_cast<double>(offender));
         return numbers;
     };
     EXPECT_EQ(summary(1), summary(4));

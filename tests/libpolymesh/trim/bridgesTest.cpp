@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: The polymesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "libpolymesh/trim/bridges.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+
+namespace polymesh::test {
+namespace {
+
+/// Loops in a plane of space.
+class Face {
+public:
+    /// A regular polygon; `turn` 1 runs as the face does, -1 against it.
+    LoopPolygon ring(std::size_t n, double x, double y, double radius, int turn) {
+        LoopPolygon loop;
+        for (std::size_t i = 0; i < n; ++i) {
+            const double angle = turn * (0.1 + 2 * std::numbers::pi * static_cast<double>(i) /
+                                                   static_cast<double>(n));
+            loop.push_back(toLabel(points.size()));
+            points.push_back((x + radius * std::cos(angle)) * u +
+                             (y + radius * std::sin(angle)) * v + offset);
+        }
+        return loop;
+    }
+
+    double area(const LoopPolygon& loop) const {
+        Vec3 sum;
+        for (std::size_t i = 1; i + 1 < loop.size(); ++i)
+            sum += cross(points[index(loop[i])] - points[index(loop[0])],
+                         points[index(loop[i + 1])] - points[index(loop[0])]);
+        return 0.5 * dot(sum, normal);
+    }
+
+    Vec3 u{0.6, 0.8, 0};
+    Vec3 v{0, 0, 1};
+    Vec3 normal = cross(u, v);
+    Vec3 offset{3, -2, 5};
+    std::vector<Vec3> points;
+};
+
+using DirectedEdges = std::map<std::pair<Label, Label>, int>;
+
+/// How often each edge is used, opposite uses taken off: bridges cancel.
+DirectedEdges netEdges(const std::vector<LoopPolygon>& loops) {
+    DirectedEdges uses;
+    for (const LoopPolygon& loop : loops)
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            const Label a = loop[i];
+            const Label b = loop[(i + 1) % loop.size()];
+            ++uses[{a, b}];
+            --uses[{b, a}];
+        }
+    std::erase_if(uses, [](const auto& use) { return use.second == 0; });
+    return uses;
+}
+
+bool hasRepeatedPoint(const LoopPolygon& loop) {
+    return std::set<Label>(loop.begin(), loop.end()).size() != loop.size();
+}
+
+struct Opened {
+    std::vector<LoopPolygon> polygons;
+    std::vector<Label> needed;
+    Label holes = 0;
+};
+
+/// Opens holes and checks what holds always: area, edges, no keyhole.
+Opened open(const Face& face,
+            std::vector<LoopPolygon> outlines,
+            std::vector<LoopPolygon> closed,
+            bool isPlain) {
+    std::vector<LoopPolygon> all = outlines;
+    all.insert(all.end(), closed.begin(), closed.end());
+    double area = 0;
+    for (const LoopPolygon& loop : all)
+        area += face.area(loop);
+    Opened result;
+    result.polygons = std::move(outlines);
+    result.holes =
+        openHoles(face.points, face.normal, isPlain, result.polygons, closed, result.needed);
+    double opened = 0;
+    for (const LoopPolygon& polygon : result.polygons) {
+        opened += face.area(polygon);
+        EXPECT_GT(face.area(polygon), 0);
+        EXPECT_FALSE(hasRepeatedPoint(polygon));
+    }
+    EXPECT_NEAR(opened, area, 1e-12);
+    EXPECT_EQ(netEdges(result.polygons), netEdges(all));
+    return result;
+}
+
+TEST(OpenHoles, oneHoleMakesTwoPolygons) {
+    Face face;
+    const LoopPolygon outline = face.ring(6, 0, 0, 2, 1);
+    const LoopPolygon hole = face.ring(5, 0.3, -0.2, 0.5, -1);
+    const Opened result = open(face, {outline}, {hole}, true);
+    EXPECT_EQ(result.holes, 1);
+    EXPECT_EQ(result.polygons.size(), 2U);
+    EXPECT_EQ(result.needed.size(), 4U);
+    for (const Label p : result.needed)
+        EXPECT_TRUE(std::ranges::count(outline, p) + std::ranges::count(hole, p) == 1);
+}
+
+TEST(OpenHoles, severalHolesAreEachOpened) {
+    Face face;
+    const LoopPolygon outline = face.ring(4, 0, 0, 3, 1);
+    std::vector<LoopPolygon> holes;
+    for (const double x : {-0.9, 0.0, 0.9})
+        for (const double y : {-0.45, 0.45})
+            holes.push_back(face.ring(7, x, y, 0.3, -1));
+    const Opened result = open(face, {outline}, holes, false);
+    EXPECT_EQ(result.holes, 6);
+    EXPECT_EQ(result.polygons.size(), 7U);
+}
+
+TEST(OpenHoles, islandsArePolygonsOfTheirOwn) {
+    Face face;
+    const LoopPolygon island = face.ring(5, 0, 0, 1, 1);
+    const Opened alone = open(face, {}, {island}, false);
+    EXPECT_EQ(alone.holes, 0);
+    ASSERT_EQ(alone.polygons.size(), 1U);
+    EXPECT_EQ(alone.polygons[0], island);
+    EXPECT_TRUE(alone.needed.empty());
+}
+
+TEST(OpenHoles, aHoleGoesToTheSmallestPolygonRoundIt) {
+    Face face;
+    const LoopPolygon outline = face.ring(12, 0, 0, 4, 1);
+    const LoopPolygon ditch = face.ring(12, 0, 0, 3, -1);
+    const LoopPolygon island = face.ring(12, 0, 0, 2, 1);
+    const LoopPolygon pond = face.ring(4, 0, 0, 0.5, -1);
+    const Opened result = open(face, {outline}, {ditch, island, pond}, false);
+    EXPECT_EQ(result.holes, 2);
+    ASSERT_EQ(result.polygons.size(), 4U);
+    for (const LoopPolygon& polygon : result.polygons) {
+        const bool isOuter = std::ranges::find(polygon, outline[0]) != polygon.end() ||
+                             std::ranges::find(polygon, ditch[0]) != polygon.end();
+        for (const Label p : pond)
+            EXPECT_FALSE(isOuter && std::ranges::find(polygon, p) != polygon.end());
+    }
+}
+
+TEST(OpenHoles, aLoneLoopInAPlainOutlineIsAHoleHoweverSmall) {
+    Face face;
+    const LoopPolygon outline = face.ring(4, 0, 0, 1, 1);
+    LoopPolygon dust = face.ring(3, 0.1, 0.1, 0, -1); // no area at all
+    std::vector<LoopPolygon> polygons{outline};
+    std::vector<LoopPolygon> closed{dust};
+    std::vector<Label> needed;
+    EXPECT_EQ(openHoles(face.points, face.normal, true, polygons, closed, needed), 1);
+    EXPECT_EQ(polygons.size(), 2U);
+    EXPECT_EQ(netEdges(polygons), netEdges({outline, dust}));
+}
+
+TEST(OpenHoles, facesSeenFromEitherSideAndAlongAnyAxis) {
+    for (const Vec3& normal : {Vec3{1, 0, 0}, Vec3{0, -1, 0}, Vec3{0, 0, 1}, Vec3{0, 0, -1}}) {
+        Face face;
+        face.normal = normal;
+        face.u = Vec3{normal.y, normal.z, normal.x};
+        face.v = cross(normal, face.u);
+        const LoopPolygon outline = face.ring(8, 0, 0, 2, 1);
+        const LoopPolygon hole = face.ring(8, 0, 0, 1, -1);
+        EXPECT_EQ(open(face, {outline}, {hole}, true).holes, 1);
+    }
+}
+
+TEST(OpenHoles, withoutClosedLoopsNothingHappens) {
+    Face face;
+    const LoopPolygon outline = face.ring(4, 0, 0, 1, 1);
+    const Opened result = open(face, {outline}, {}, true);
+    EXPECT_EQ(result.polygons, std::vector<LoopPolygon>{outline});
+}
+
+} // namespace
+} // namespace polymesh::test

@@ -146,6 +146,25 @@ holderOf(const Plane& plane, const std::vector<LoopPolygon>& polygons, const Loo
     return best;
 }
 
+/// Three points of a closed loop that hold it open: two far from each other and the one farthest
+/// from the line between them. Without them a narrow loop could be simplified to a line.
+void keepOpen(const std::vector<Vec3>& positions,
+              const LoopPolygon& loop,
+              std::vector<Label>& needed) {
+    const auto farthest = [&](auto&& distance) {
+        return *std::max_element(loop.begin(), loop.end(), [&](Label p, Label q) {
+            return distance(positions[index(p)]) < distance(positions[index(q)]);
+        });
+    };
+    const Vec3& start = positions[index(loop[0])];
+    const Label a = farthest([&](const Vec3& p) { return squaredNorm(p - start); });
+    const Vec3& atA = positions[index(a)];
+    const Label b = farthest([&](const Vec3& p) { return squaredNorm(p - atA); });
+    const Vec3& atB = positions[index(b)];
+    const Label c = farthest([&](const Vec3& p) { return squaredNorm(cross(p - atA, p - atB)); });
+    needed.insert(needed.end(), {a, b, c});
+}
+
 } // namespace
 
 Label openHoles(const std::vector<Vec3>& positions,
@@ -160,6 +179,7 @@ Label openHoles(const std::vector<Vec3>& positions,
     const bool isSurelyIsland = polygons.empty() && closed.size() == 1;
     std::vector<LoopPolygon> holes;
     for (LoopPolygon& loop : closed) {
+        keepOpen(positions, loop, needed);
         const bool isHole = isSurelyHole || (!isSurelyIsland && area(plane, loop) < 0);
         (isHole ? holes : polygons).push_back(std::move(loop));
     }

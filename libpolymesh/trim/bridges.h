@@ -22,7 +22,8 @@ using LoopPolygon = boost::container::small_vector<Label, 12>;
 /// loop in it is then a hole without asking for its area, however small it is. Otherwise areas and
 /// distances in double precision decide, which can make an ugly polygon where a loop has no size,
 /// but never an open cell: every directed edge stays as it was.
-/// Appends to `needed` the points at the ends of bridges. Returns the number of holes.
+/// Appends to `needed` the points at the ends of bridges and three that hold each loop open.
+/// Returns the number of holes.
 Label openHoles(const std::vector<Vec3>& positions,
                 const Vec3& normal,
                 bool isPlainOutline,

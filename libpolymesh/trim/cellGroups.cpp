@@ -259,42 +259,73 @@ void CellGroups::reduce(const CellInput& input, double tolerance, const KeptPoin
         });
 }
 
-bool CellGroups::isCellValid(const CellInput& input,
-                             const FaceLoops& loops,
-                             const KeptPoints& kept) const {
-    boost::container::small_vector<std::uint64_t, 24> seen;
-    double volume = 0;
-    Vec3 apex;
-    const auto add = [&](const LoopPolygon& loop, double direction) {
-        const std::span<const Label> polygon(loop.data(), loop.size());
-        if (seen.empty()) apex = input.positions[index(polygon[0])];
-        seen.push_back(fingerprint(polygon));
-        volume += direction * cone(input.positions, polygon, apex);
-    };
-    LoopPolygon polygon;
+/// Lists the polygons of the cell: those of mesh faces, then the faces of the groups.
+void CellGroups::listPolygons(const CellInput& input,
+                              const FaceLoops& loops,
+                              const KeptPoints& kept) {
+    polygons_.clear();
     for (const Label f : input.probe.cellFaces[cell_]) {
-        const double direction = input.probe.faceCells[index(f)][0] == cell_ ? 1 : -1;
+        const bool isTurned = input.probe.faceCells[index(f)][0] != cell_;
         for (Label k = loops.offsets[index(f)]; k < loops.offsets[index(f) + 1]; ++k) {
-            polygon.clear();
+            CellPolygon polygon{{}, isTurned, -1};
             for (const Label p : loops.polygons[k])
-                if (kept(p)) polygon.push_back(p);
-            if (polygon.size() < 3) return false;
-            add(polygon, direction);
+                if (kept(p)) polygon.points.push_back(p);
+            polygons_.push_back(std::move(polygon));
         }
     }
     for (const Face& face : faces_)
-        if (face.points.size() >= 3) add(face.points, 1);
-    std::ranges::sort(seen);
-    return seen.size() >= 4 && volume > 0 && std::ranges::adjacent_find(seen) == seen.end();
+        polygons_.push_back({face.points, false, face.group});
+}
+
+/// Marks the groups of shells as bad that have fewer than four faces, two faces with the same
+/// points, or no volume; and all groups where an edge is used more than twice.
+void CellGroups::checkShells(const CellInput& input) {
+    shells_.clear();
+    bool isSound = true;
+    for (const CellPolygon& p : polygons_) {
+        const std::span<const Label> points(p.points.data(), p.points.size());
+        isSound = isSound && points.size() >= 3;
+        shells_.add(points, p.isTurned);
+    }
+    shells_.join();
+    if (!isSound || !shells_.isSimple()) {
+        isBad_.assign(isBad_.size(), 1);
+        return;
+    }
+
+    struct Shell {
+        Label faces = 0;
+        double volume = 0;
+        bool mayBeVoid = true; // surface alone: a void in the cell encloses a negative volume
+        boost::container::small_vector<std::uint64_t, 16> seen;
+    };
+
+    boost::container::small_vector<Shell, 2> shells(polygons_.size());
+    const Vec3 apex = input.positions[index(polygons_[0].points[0])];
+    for (std::size_t i = 0; i < polygons_.size(); ++i) {
+        Shell& shell = shells[index(shells_.shellOf(toLabel(i)))];
+        const std::span<const Label> points(polygons_[i].points.data(), polygons_[i].points.size());
+        ++shell.faces;
+        shell.volume += (polygons_[i].isTurned ? -1 : 1) * cone(input.positions, points, apex);
+        shell.mayBeVoid = shell.mayBeVoid && polygons_[i].group >= 0;
+        shell.seen.push_back(fingerprint(points));
+    }
+    for (std::size_t i = 0; i < polygons_.size(); ++i) {
+        Shell& shell = shells[index(shells_.shellOf(toLabel(i)))];
+        std::ranges::sort(shell.seen);
+        const bool hasVolume = shell.mayBeVoid ? shell.volume != 0 : shell.volume > 0;
+        const bool isGood = shell.faces >= 4 && hasVolume &&
+                            std::ranges::adjacent_find(shell.seen) == shell.seen.end();
+        if (!isGood && polygons_[i].group >= 0) isBad_[index(polygons_[i].group)] = 1;
+    }
 }
 
 void CellGroups::checkFaces(const CellInput& input,
                             const FaceLoops& loops,
                             double tolerance,
                             const KeptPoints& kept) {
-    if (!isCellValid(input, loops, kept)) isBad_.assign(isBad_.size(), 1);
-    for (const Face& face : faces_)
-        if (face.points.size() < 3) isBad_[index(face.group)] = 1;
+    listPolygons(input, loops, kept);
+    checkShells(input);
     for (Label i = 0; i < pieceCount_; ++i) {
         const Label group = root(i);
         const Label f = faceOfPiece_[index(i)];

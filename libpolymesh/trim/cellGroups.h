@@ -3,6 +3,7 @@
 #pragma once
 
 #include "libpolymesh/trim/bridges.h"
+#include "libpolymesh/trim/cellShells.h"
 #include "libpolymesh/trim/loops.h"
 #include "libpolymesh/trim/pieces.h"
 
@@ -88,10 +89,10 @@ public:
 
     const std::vector<Face>& faces() const { return faces_; }
 
-    /// Marks groups as bad whose face has fewer than three points or is farther than `tolerance`
-    /// [m] from a point that it dropped; and all groups when the cell of these faces and the
-    /// polygons of the mesh faces has fewer than four faces, two with the same points, or no
-    /// volume. Call after reduce.
+    /// Marks groups as bad whose face is farther than `tolerance` [m] from a point that it dropped,
+    /// or whose shell of the cell (with the polygons of the mesh faces) has fewer than four faces,
+    /// two with the same points, or no volume; all groups where a face has fewer than three points
+    /// or an edge is used more than twice. Call after reduce.
     void checkFaces(const CellInput& input,
                     const FaceLoops& loops,
                     double tolerance,
@@ -116,6 +117,13 @@ private:
         Label b;
     };
 
+    /// A polygon of the cell as it would be.
+    struct CellPolygon {
+        LoopPolygon points;
+        bool isTurned;
+        Label group; // -1: of a mesh face
+    };
+
     struct OutlineEdge {
         Label group;
         Label from;
@@ -130,7 +138,8 @@ private:
     void listJoins(const CellInput& input);
     void joinPieces(const CellInput& input);
     bool fits(Label a, Label b, double cone);
-    bool isCellValid(const CellInput& input, const FaceLoops& loops, const KeptPoints& kept) const;
+    void listPolygons(const CellInput& input, const FaceLoops& loops, const KeptPoints& kept);
+    void checkShells(const CellInput& input);
     double deviation(const CellInput& input, Label piece, const LoopPolygon& face) const;
     void listOutlines(const CellInput& input);
     void walkOutlines(const CellInput& input);
@@ -151,6 +160,8 @@ private:
     std::vector<Face> faces_;
     std::vector<Label> faceOfPiece_;
     std::vector<Label> keptVertices_; // sorted
+    std::vector<CellPolygon> polygons_;
+    CellShells shells_;
 };
 
 } // namespace polymesh

@@ -4,6 +4,7 @@
 
 #include "libpolymesh/base/error.h"
 #include "libpolymesh/base/parallel.h"
+#include "libpolymesh/trim/cellShells.h"
 
 #include <algorithm>
 #include <span>
@@ -16,15 +17,8 @@ namespace {
 struct CellPolygon {
     Label polygon;
     bool isBoundary;
-    bool isTurned; // its normal points into the cell
-    Label piece;   // representative while joining, then the number of the piece in the cell
-};
-
-struct EdgeUse {
-    Label low;
-    Label high;
-    Label polygon; // place in the cell's list
-    bool isForward;
+    bool isTurned;    // its normal points into the cell
+    Label piece = -1; // number of the piece in the cell
 };
 
 class CellDivision {
@@ -40,7 +34,11 @@ public:
     /// Divides a cell; returns the number of its pieces.
     Label divide(Label cell) {
         list(cell);
-        joinAcrossEdges(cell);
+        shells_.clear();
+        for (const CellPolygon& polygon : polygons_)
+            shells_.add(points(polygon), polygon.isTurned);
+        shells_.join();
+        if (!shells_.isClosed()) refuse(cell, shells_.openPoint());
         return numberPieces();
     }
 
@@ -54,56 +52,14 @@ private:
         for (const Label f : probe_.cellFaces[cell]) {
             const bool isTurned = probe_.faceCells[index(f)][0] != cell;
             for (Label k = loops_.offsets[index(f)]; k < loops_.offsets[index(f) + 1]; ++k)
-                polygons_.push_back({k, false, isTurned, toLabel(polygons_.size())});
+                polygons_.push_back({k, false, isTurned});
         }
         for (Label k = boundary_.offsets[index(cell)]; k < boundary_.offsets[index(cell) + 1]; ++k)
-            polygons_.push_back({k, true, false, toLabel(polygons_.size())});
+            polygons_.push_back({k, true, false});
     }
 
-    Label root(Label i) {
-        while (polygons_[index(i)].piece != i)
-            i = polygons_[index(i)].piece;
-        return i;
-    }
-
-    void joinAcrossEdges(Label cell) {
-        uses_.clear();
-        for (Label i = 0; i < toLabel(polygons_.size()); ++i) {
-            const auto polygon = points(polygons_[index(i)]);
-            for (std::size_t k = 0; k < polygon.size(); ++k) {
-                const Label a = polygon[k];
-                const Label b = polygon[(k + 1) % polygon.size()];
-                const bool isForward = (a < b) != polygons_[index(i)].isTurned;
-                uses_.push_back({std::min(a, b), std::max(a, b), i, isForward});
-            }
-        }
-        std::ranges::sort(uses_, [](const EdgeUse& a, const EdgeUse& b) {
-            if (a.low != b.low) return a.low < b.low;
-            if (a.high != b.high) return a.high < b.high;
-            return a.polygon < b.polygon;
-        });
-        for (auto first = uses_.begin(); first != uses_.end();) {
-            const auto last = std::find_if(first, uses_.end(), [&](const EdgeUse& use) {
-                return use.low != first->low || use.high != first->high;
-            });
-            int balance = 0;
-            for (auto use = first; use != last; ++use) {
-                balance += use->isForward ? 1 : -1;
-                join(first->polygon, use->polygon);
-            }
-            if (balance != 0) refuse(cell, *first);
-            first = last;
-        }
-    }
-
-    void join(Label i, Label k) {
-        const Label a = root(i);
-        const Label b = root(k);
-        polygons_[index(std::max(a, b))].piece = std::min(a, b);
-    }
-
-    [[noreturn]] void refuse(Label cell, const EdgeUse& use) const {
-        const Vec3& p = positions_[index(use.low)];
+    [[noreturn]] void refuse(Label cell, Label point) const {
+        const Vec3& p = positions_[index(point)];
         throw WorkError(fmt::format("mesh cell {} is left open at ({} {} {}); please report this "
                                     "surface and mesh",
                                     probe_.cells[index(cell)],
@@ -115,7 +71,7 @@ private:
     double signedVolume(Label piece, const Vec3& apex) {
         double volume = 0;
         for (Label i = 0; i < toLabel(polygons_.size()); ++i) {
-            if (root(i) != piece) continue;
+            if (shells_.shellOf(i) != piece) continue;
             const auto polygon = points(polygons_[index(i)]);
             for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
                 volume += dot(positions_[index(polygon[0])] - apex,
@@ -130,7 +86,7 @@ private:
         std::vector<Label> roots;
         std::vector<bool> hasMeshFace(polygons_.size(), false);
         for (Label i = 0; i < toLabel(polygons_.size()); ++i) {
-            const Label r = root(i);
+            const Label r = shells_.shellOf(i);
             if (i == r) roots.push_back(r);
             if (!polygons_[index(i)].isBoundary) hasMeshFace[index(r)] = true;
         }
@@ -138,24 +94,19 @@ private:
         const Vec3 apex = positions_[index(points(polygons_[0])[0])];
         for (const Label r : roots) {
             if (r == roots.front() || hasMeshFace[index(r)] || signedVolume(r, apex) >= 0) continue;
-            polygons_[index(r)].piece = roots.front();
+            shells_.adopt(r, roots.front());
         }
     }
 
     Label numberPieces() {
         adoptVoids();
         Label count = 0;
-        const Label n = toLabel(polygons_.size());
         std::vector<Label> numbers(polygons_.size(), -1);
-        for (Label i = 0; i < n; ++i) {
-            Label& number = numbers[index(root(i))];
+        for (Label i = 0; i < toLabel(polygons_.size()); ++i) {
+            Label& number = numbers[index(shells_.shellOf(i))];
             if (number < 0) number = count++;
+            polygons_[index(i)].piece = number;
         }
-        std::vector<Label> pieces;
-        for (Label i = 0; i < n; ++i)
-            pieces.push_back(numbers[index(root(i))]);
-        for (Label i = 0; i < n; ++i)
-            polygons_[index(i)].piece = pieces[index(i)];
         return count;
     }
 
@@ -164,7 +115,7 @@ private:
     const FaceLoops& loops_;
     const BoundaryPolygons& boundary_;
     std::vector<CellPolygon> polygons_;
-    std::vector<EdgeUse> uses_;
+    CellShells shells_;
 };
 
 } // namespace

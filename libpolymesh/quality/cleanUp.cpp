@@ -27,7 +27,7 @@ cleanUp(EditMesh& mesh, std::span<const Label> representative, const CleanUpOpti
     counts.cutCells = splitConcaveCells(editor, options.concaveAngle).cuts;
     const RepairCounts repaired = repairCells(editor);
     counts.cutCells += repaired.cuts;
-    counts.repairs = repaired.merges + repaired.collapses;
+    counts.repairs = repaired.merges + repaired.collapses + repaired.splits;
     counts.badCells = repaired.left;
     return counts;
 }

@@ -4,6 +4,7 @@
 
 #include "libpolymesh/quality/cellTopology.h"
 #include "libpolymesh/quality/collapseEdges.h"
+#include "libpolymesh/quality/cutCell.h"
 #include "libpolymesh/quality/editQuality.h"
 #include "libpolymesh/quality/mergeCells.h"
 #include "libpolymesh/quality/polygons.h"
@@ -27,7 +28,7 @@ constexpr double largestVolumeChange = 2e-3; // of the cube of the size of the c
 
 constexpr double largestMerged = 2.6; // volume of a merged cell, of the cube of its size
 
-enum class Remedy : std::uint8_t { cut, merge, collapse, collapseAll, cutAnywhere };
+enum class Remedy : std::uint8_t { cut, merge, collapse, collapseAll, cutAnywhere, splitFace };
 
 constexpr std::array<double, 3> shortLimits{
     0.03, 0.06, 0.12}; // for collapseAll, of the size of the cell
@@ -37,6 +38,7 @@ struct Proposal {
     Remedy remedy = Remedy::cut;
     Label from = -1;    // cell or point
     Label to = -1;      // cell or point; for collapseAll which limit
+    Label face = -1;    // for splitFace
     Label failures = 0; // the change: negative is good
     double severity = 0;
 };
@@ -113,6 +115,7 @@ public:
         proposeCollapses();
         for (std::size_t i = 0; i < shortLimits.size(); ++i)
             proposeCollapseAll(toLabel(i));
+        if (!best_) proposeFaceSplits();
         if (!best_) proposeCut(Remedy::cutAnywhere);
         return best_ ? best_ : fallback_;
     }
@@ -154,6 +157,35 @@ private:
         const MeshEditor::Mark mark = editor_.mark();
         if (mergeCells(editor_, from, into) && allBalls(editor_, region) && !isHuge(into))
             consider({Remedy::merge, from, into}, before, badnessOf(editor_, region));
+        editor_.undoTo(mark);
+    }
+
+    /// Bent and concave faces: chords between any two corners.
+    void proposeFaceSplits() {
+        constexpr std::size_t maxCorners = 12;
+        const std::array<Label, 1> one{cell_};
+        const std::vector<Label> region = withNeighbours(editor_, one);
+        const Badness before = badnessOf(editor_, region);
+        const auto faces = editor_.cell(cell_).faces; // a copy: splitting changes the list
+        for (const Label f : faces) {
+            const Polygon polygon = editor_.face(f).points;
+            if (polygon.size() > maxCorners || editor_.isFrozenFace(f)) continue;
+            for (std::size_t i = 0; i < polygon.size(); ++i)
+                for (std::size_t j = i + 2; j < polygon.size() - (i == 0); ++j)
+                    proposeFaceSplit(
+                        {Remedy::splitFace, polygon[i], polygon[j], f}, region, before);
+        }
+    }
+
+    void proposeFaceSplit(const Proposal& proposal,
+                          std::span<const Label> region,
+                          const Badness& before) {
+        const MeshEditor::Mark mark = editor_.mark();
+        const Label other = editor_.otherCell(proposal.face, cell_);
+        const std::array<Label, 2> cells{cell_, other < 0 ? cell_ : other};
+        if (splitFace(editor_, proposal.face, proposal.from, proposal.to) &&
+            allBalls(editor_, cells))
+            consider(proposal, before, badnessOf(editor_, region));
         editor_.undoTo(mark);
     }
 
@@ -225,6 +257,10 @@ void apply(MeshEditor& editor,
         mergeCells(editor, proposal.from, proposal.to);
         cells = {proposal.to};
         ++counts.merges;
+    } else if (proposal.remedy == Remedy::splitFace) {
+        cells = {editor.face(proposal.face).owner};
+        splitFace(editor, proposal.face, proposal.from, proposal.to);
+        ++counts.splits;
     } else if (proposal.remedy == Remedy::collapseAll) {
         const std::array<Label, 1> one{proposal.from};
         cells = withNeighbours(editor, one);

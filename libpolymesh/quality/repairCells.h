@@ -11,12 +11,14 @@ struct RepairCounts {
     Label bad = 0;       // cells that checkMesh would fail, before
     Label cuts = 0;      // improvements by cutting a concave cell,
     Label merges = 0;    // by merging a cell into a neighbour,
-    Label collapses = 0; // by collapsing an edge
+    Label collapses = 0; // by collapsing an edge,
+    Label splits = 0;    // by cutting a face
     Label left = 0;      // cells that still fail
 };
 
 /// Mends cells that OpenFOAM's checkMesh fails by default, one by one: of all the local changes
-/// that are possible (cuts at reflex edges, merges with a neighbour, collapses of an edge) the best
+/// that are possible (cuts at reflex edges, merges with a neighbour, collapses of an edge,
+/// cuts of a face) the best
 /// is made, as long as it leaves fewer failures, or less severe ones, round it. Edges of the
 /// boundary are collapsed only if the volume hardly changes. Ends when nothing improves any more.
 /// Cost: a look at each cell, about a millisecond for a bad one.

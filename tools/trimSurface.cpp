@@ -6,23 +6,23 @@
 #include "formats/foam/polyMeshIo.h"
 #include "formats/surfaceIo.h"
 #include "libpolymesh/base/error.h"
-#include "libpolymesh/mesh/cellGeometry.h"
 #include "libpolymesh/mesh/validate.h"
-#include "libpolymesh/surface/check.h"
-#include "libpolymesh/surface/measure.h"
-#include "libpolymesh/surface/orient.h"
 #include "libpolymesh/trim/trim.h"
 #include "tools/toolMain.h"
+#include "tools/trimPrepare.h"
+#include "tools/trimReport.h"
 
 #include <numbers>
-#include <numeric>
+#include <utility>
 
 namespace polymesh::tools {
 
 namespace {
 
 const ToolDescription description{
-    "trimSurface", "trims the mesh of the case by a closed surface; regions become patches", {}};
+    "trimSurface",
+    "trims the mesh of the case by a closed surface; regions become patches",
+    {"patchTypes"}};
 
 const std::vector<Option> options{
     {"surface", "FILE", "closed surface (STL, OBJ, OFF, PLY, also .gz) [m]"},
@@ -35,9 +35,28 @@ const std::vector<Option> options{
     {"minEdge", "F", "collapse shorter edges, fraction of the cell size; 0: off; default 0.05"},
     {"minVolume", "F", "merge smaller cells, fraction of the uncut cell; 0: off; default 0.05"},
     {"concave", "WHAT", "split (default) or keep cells that are concave or fail checkMesh"},
-    {"patchType", "TYPE", "OpenFOAM type of the surface's patches; default wall"}};
+    {"patchType",
+     "TYPE",
+     "OpenFOAM type of the surface's patches; default wall; patchTypes { REGION TYPE; } in the "
+     "dictionary for single ones"},
+    {"algorithm", "NAME", "mesh (default), the only one in this version"},
+    {"adjust", "HOW", "none (default), the only one in this version"}};
+
+/// Refuses by name what is planned but not there.
+void requireAvailable(const Settings& settings,
+                      const std::string& option,
+                      const std::vector<std::string>& words) {
+    const std::string given = settings.word(option, words, words.front());
+    require(given == words.front(),
+            "{}: {} is not available in this version; leave the option out, or say {}",
+            settings.place(option),
+            given,
+            words.front());
+}
 
 TrimOptions trimOptions(const Settings& settings) {
+    requireAvailable(settings, "algorithm", {"mesh", "cell"});
+    requireAvailable(settings, "adjust", {"none", "project", "repel"});
     TrimOptions trim;
     trim.keep = settings.word("keep", {"inside", "outside"}, "inside") == "outside" ? Keep::outside
                                                                                     : Keep::inside;
@@ -53,82 +72,27 @@ TrimOptions trimOptions(const Settings& settings) {
     return trim;
 }
 
-/// Refuses a surface that bounds nothing; turns one that is inside out; tells what it did.
-void prepare(const ToolRun& tool, const std::string& file, TriSurface& surface) {
-    const SurfaceDefects defects = checkSurface(surface);
-    const auto& open = defects.openEdges;
-    require(
-        open.count == 0,
-        "{}: the surface is open: {} edges without a partner, one at ({} {} {}); close the gaps "
-        "(or join points that should be one) and try again",
-        file,
-        open.count,
-        open.first.x,
-        open.first.y,
-        open.first.z);
-    const OrientationReport turned = orientSurface(surface);
-    if (turned.turnedTriangles > 0)
-        tool.say("turned     {} triangles, so that normals leave the part{}",
-                 turned.turnedTriangles,
-                 turned.turnedAll ? " (the surface was inside out)" : "");
-    const SurfaceDefects left = checkSurface(surface);
-    const auto& bad = left.misorientedEdges;
-    require(bad.count == 0,
-            "{}: {} edges are used twice in the same direction, one at ({} {} {}), and turning "
-            "triangles does not help; repair the surface",
-            file,
-            bad.count,
-            bad.first.x,
-            bad.first.y,
-            bad.first.z);
-}
-
-void report(ToolRun& tool, const TriSurface& surface, const Trimmed& trimmed) {
-    const TrimSummary& s = trimmed.summary;
-    const PolyMesh& mesh = trimmed.mesh;
-    tool.say("cells      {}: {} untouched, {} trimmed; {} small ones merged",
-             mesh.cellCount,
-             s.untouchedCells,
-             s.trimmedCells,
-             s.mergedCells);
-    tool.say(
-        "clean-up   {} edges collapsed, {} cuts of concave cells, {} repairs; {} bad cells left",
-        s.collapsedEdges,
-        s.splitCells,
-        s.repairs,
-        s.badCells);
-    tool.say("features   {} edges, {} corners kept", s.featureEdges, s.featureCorners);
-    const MeshGeometry geometry = computeGeometry(mesh);
-    const SurfaceMeasure wanted = measure(surface);
-    const double volume =
-        std::accumulate(geometry.cellVolumes.begin(), geometry.cellVolumes.end(), 0.0);
-    tool.say("volume     {:.12g} m^3 (surface: {:.12g})", volume, wanted.volume);
-    tool.report["cells"] = mesh.cellCount;
-    tool.report["untouched"] = s.untouchedCells;
-    tool.report["trimmed"] = s.trimmedCells;
-    tool.report["merged"] = s.mergedCells;
-    tool.report["volume"] = volume;
-    tool.report["surfaceVolume"] = wanted.volume;
-}
-
 ExitCode run(ToolRun& tool) {
-    const auto file = tool.surfaceFile(tool.settings.text("surface"));
     TrimOptions how = trimOptions(tool.settings);
     how.onStage = [&](const std::string& name) { tool.clock.start(name); };
+    const std::string file = tool.surfaceFile(tool.settings.text("surface")).string();
     tool.clock.start("read");
     TriSurface surface = readSurface(file);
-    tool.say("surface    {}, {} triangles", file.string(), surface.triangleCount());
-    const PolyMesh mesh = foam::readPolyMesh(tool.meshDir());
+    tool.say("surface    {}, {} triangles", file, surface.triangleCount());
+    how.regionTypes = patchTypes(tool, surface);
+    const foam::WriteFormat format = tool.writeFormat();
+    PolyMesh mesh = foam::readPolyMesh(tool.meshDir());
     tool.clock.start("check surface");
-    prepare(tool, file.string(), surface);
-    how.regionTypes.assign(surface.regionNames.size(), tool.settings.text("patchType", "wall"));
-    const Trimmed trimmed = trim(mesh, surface, how);
+    prepareSurface(tool, file, surface);
+    const InitialMesh initial = describe(mesh);
+    const bool isWithin = checkPlace(tool, file, surface, initial.box);
+    const Trimmed trimmed = trim(std::move(mesh), surface, how);
     tool.clock.start("validate");
     requireValid(trimmed.mesh, "the trimmed mesh");
     tool.clock.start("write");
-    foam::writePolyMesh(trimmed.mesh, tool.meshDir(), tool.writeFormat());
-    tool.clock.stop();
-    report(tool, surface, trimmed);
+    foam::writePolyMesh(trimmed.mesh, tool.meshDir(), format);
+    tool.clock.start("report");
+    reportTrim(tool, {initial, surface, how, trimmed, isWithin});
     return ExitCode::success;
 }
 

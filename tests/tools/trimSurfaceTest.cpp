@@ -1,0 +1,306 @@
+// SPDX-FileCopyrightText: The polymesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/foam/polyMeshIo.h"
+#include "formats/surfaceIo.h"
+#include "libpolymesh/mesh/validate.h"
+#include "tests/support/meshes.h"
+#include "tests/support/surfaces.h"
+#include "tests/tools/program.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+namespace polymesh::tools {
+
+namespace {
+
+using test::cuboid;
+using test::join;
+
+/// A case with a box of 6 x 6 x 6 cells from the origin to (1 1 1), and a surface.
+class TrimCase : public TemporaryCase {
+public:
+    explicit TrimCase(const TriSurface& surface = cuboid({.2, .2, .2}, {.7, .7, .7}, "body"),
+                      const char* name = "part.obj") {
+        std::filesystem::create_directories(dir() / "constant/triSurface");
+        addSurface(surface, name);
+        restoreMesh();
+    }
+
+    void addSurface(const TriSurface& surface, const char* name) const {
+        writeSurface(surface, dir() / "constant/triSurface" / name);
+    }
+
+    void restoreMesh() const {
+        EXPECT_EQ(run("blockInit -box '0 0 0 1 1 1' -cells '6 6 6' -quiet").status, 0);
+    }
+
+    PolyMesh mesh() const { return foam::readPolyMesh(dir() / "constant/polyMesh"); }
+
+    /// All bytes of the mesh.
+    std::string meshBytes() const {
+        std::string bytes;
+        for (const char* file : {"points", "faces", "owner", "neighbour", "boundary"})
+            bytes += read(std::filesystem::path("constant/polyMesh") / file);
+        return bytes;
+    }
+
+    nlohmann::json report() const { return nlohmann::json::parse(read("report.json")); }
+
+    ProgramResult trim(const std::string& options = "") const {
+        return run("trimSurface -surface part.obj -json report.json " + options);
+    }
+};
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+/// The call fails with status 2 and one line on stderr that has these parts; the mesh stays.
+void expectRefused(const TrimCase& box,
+                   const std::string& command,
+                   const std::vector<std::string>& parts) {
+    const std::string before = box.meshBytes();
+    const ProgramResult result = box.run(command);
+    EXPECT_EQ(result.status, 2) << command;
+    EXPECT_TRUE(result.err.starts_with("trimSurface: ")) << result.err;
+    EXPECT_EQ(std::ranges::count(result.err, '\n'), 1) << result.err;
+    for (const std::string& part : parts)
+        EXPECT_TRUE(contains(result.err, part)) << part << " is not in: " << result.err;
+    EXPECT_EQ(box.meshBytes(), before) << command;
+    for (const auto& entry : std::filesystem::directory_iterator(box.dir() / "constant"))
+        EXPECT_TRUE(entry.path().filename() == "polyMesh" ||
+                    entry.path().filename() == "triSurface")
+            << entry.path();
+}
+
+} // namespace
+
+TEST(TrimSurface, trimsAndReports) {
+    const TrimCase box;
+    const ProgramResult result = box.trim();
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(result.err, "");
+    const PolyMesh mesh = box.mesh();
+    EXPECT_TRUE(validate(mesh).empty());
+    EXPECT_EQ(mesh.patches.back().name, "body");
+    EXPECT_EQ(mesh.patches.back().type, "wall");
+    const nlohmann::json report = box.report();
+    EXPECT_EQ(report["cells"], mesh.cellCount);
+    EXPECT_EQ(report["untouched"].get<Label>() + report["trimmed"].get<Label>(), mesh.cellCount);
+    EXPECT_NEAR(report["volume"].get<double>(), 0.125, 1e-14);
+    EXPECT_NEAR(report["area"].get<double>(), 1.5, 1e-14);
+    EXPECT_NEAR(report["patches"]["body"]["area"].get<double>(), 1.5, 1e-14);
+    EXPECT_EQ(report["cornersInMesh"], 8);
+    EXPECT_EQ(report["cornersCaptured"], 8);
+    EXPECT_EQ(report["featureEdges"], 12);
+    EXPECT_EQ(report["surface"]["selfIntersections"]["pairs"], 0);
+    EXPECT_GT(report["peakMemoryBytes"], 100000);
+    EXPECT_GT(report["stages"].size(), 5U);
+    for (const char* line :
+         {"\ncells ", "\nfeatures ", "\nvolume ", "\narea ", "\ntime ", "\nmemory "})
+        EXPECT_TRUE(contains(result.out, line)) << line;
+}
+
+TEST(TrimSurface, keepsTheOutside) {
+    const TrimCase box;
+    ASSERT_EQ(box.trim("-keep outside").status, 0);
+    EXPECT_NEAR(box.report()["volume"].get<double>(), 1 - 0.125, 1e-13);
+    EXPECT_NEAR(box.report()["volumeError"].get<double>(), 0, 1e-13);
+    EXPECT_EQ(box.mesh().patches.size(), 7U);
+}
+
+TEST(TrimSurface, isQuietWhenAskedTo) {
+    const TrimCase box;
+    const ProgramResult result = box.trim("-quiet");
+    EXPECT_EQ(result.out + result.err, "");
+}
+
+TEST(TrimSurface, readsItsDictionaryAndOptionsWin) {
+    const TrimCase box;
+    box.write("system/trimSurfaceDict",
+              "surface part.obj; keep outside; deviation 0; patchType patch;\n"
+              "patchTypes { body symmetry; }\n");
+    ASSERT_EQ(box.run("trimSurface").status, 0);
+    EXPECT_EQ(box.mesh().patches.size(), 7U);
+    EXPECT_EQ(box.mesh().patches.back().type, "symmetry");
+    box.restoreMesh();
+    ASSERT_EQ(box.run("trimSurface -keep inside -patchType wall").status, 0);
+    EXPECT_EQ(box.mesh().patches.size(), 1U);
+    EXPECT_EQ(box.mesh().patches.back().type, "wall");
+    box.restoreMesh();
+    box.write("system/trimSurfaceDict", "surface part.obj;\n\npatchTypes\n{ bdy wall; }\n");
+    expectRefused(box, "trimSurface", {"trimSurfaceDict:4: bdy", "nearest is body"});
+    box.write("system/trimSurfaceDict", "surface part.obj;\npatchTypes { body wal; }\n");
+    expectRefused(box, "trimSurface", {"trimSurfaceDict:2: body", "'wal'", "nearest: wall"});
+    box.write("system/trimSurfaceDict", "surface part.obj;\nkep outside;\n");
+    expectRefused(box, "trimSurface", {"trimSurfaceDict:2: kep", "nearest is keep"});
+}
+
+TEST(TrimSurface, eachRegionHasItsPatchType) {
+    const TrimCase box(join(cuboid({.1, .1, .1}, {.4, .4, .4}, "left"),
+                            cuboid({.6, .6, .6}, {.9, .9, .9}, "right")));
+    box.write("system/trimSurfaceDict", "patchType patch; patchTypes { right wall; }");
+    ASSERT_EQ(box.trim().status, 0);
+    const PolyMesh mesh = box.mesh();
+    ASSERT_EQ(mesh.patches.size(), 2U);
+    EXPECT_EQ(mesh.patches[0].name + " " + mesh.patches[0].type, "left patch");
+    EXPECT_EQ(mesh.patches[1].name + " " + mesh.patches[1].type, "right wall");
+}
+
+TEST(TrimSurface, wrongOptionsAreRefused) {
+    const TrimCase box;
+    const std::string call = "trimSurface -surface part.obj ";
+    expectRefused(box, "trimSurface", {"-surface is missing"});
+    expectRefused(box, "trimSurface -surface missing.stl", {"missing.stl"});
+    expectRefused(box, call + "-case nowhere", {"nowhere"});
+    expectRefused(box, call + "-keep inide", {"-keep", "nearest: inside"});
+    expectRefused(box, call + "-deviation -1", {"-deviation"});
+    expectRefused(box, call + "-deviation much", {"-deviation", "much"});
+    expectRefused(box, call + "-deviation nan", {"-deviation"});
+    expectRefused(box, call + "-featureAngle 181", {"-featureAngle"});
+    expectRefused(box, call + "-minEdge 0.7", {"-minEdge"});
+    expectRefused(box, call + "-minVolume -0.1", {"-minVolume"});
+    expectRefused(box, call + "-concave maybe", {"-concave"});
+    expectRefused(box, call + "-patchType 'a b'", {"-patchType", "a b"});
+    expectRefused(box, call + "-patchTyp wall", {"-patchTyp", "nearest is -patchType"});
+    expectRefused(box, call + "-format asci", {"-format", "ascii"});
+    expectRefused(box, call + "-threads 0", {"-threads"});
+}
+
+TEST(TrimSurface, whatThisVersionHasNotIsRefusedByName) {
+    const TrimCase box;
+    const std::string call = "trimSurface -surface part.obj ";
+    expectRefused(box, call + "-algorithm cell", {"-algorithm", "cell is not available"});
+    expectRefused(box, call + "-adjust project", {"-adjust", "project is not available"});
+    expectRefused(box, call + "-adjust repel", {"-adjust", "repel is not available"});
+    expectRefused(box, call + "-algorithm cells", {"-algorithm", "nearest: cell"});
+    EXPECT_EQ(box.trim("-algorithm mesh -adjust none").status, 0);
+}
+
+TEST(TrimSurface, openSurfaceIsRefusedWithNumberAndPlace) {
+    const TrimCase box(test::without(cuboid({.2, .2, .2}, {.7, .7, .7}), 2));
+    expectRefused(box,
+                  "trimSurface -surface part.obj",
+                  {"part.obj", "open", "3 edges", "one at (", "close the gaps"});
+}
+
+TEST(TrimSurface, surfaceInsideOutIsTurnedAndSaid) {
+    const TrimCase box(test::inverted(cuboid({.2, .2, .2}, {.7, .7, .7})));
+    const ProgramResult result = box.trim();
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_TRUE(contains(result.out, "turned     12 triangles")) << result.out;
+    EXPECT_TRUE(contains(result.out, "inside out")) << result.out;
+    EXPECT_NEAR(box.report()["volume"].get<double>(), 0.125, 1e-14);
+    EXPECT_EQ(box.report()["surface"]["turnedTriangles"], 12);
+}
+
+TEST(TrimSurface, surfaceOutsideTheMeshIsRefusedWithBothBoxes) {
+    const TrimCase box(cuboid({2, 2, 2}, {3, 3, 3}));
+    for (const char* side : {"inside", "outside"})
+        expectRefused(box,
+                      std::string("trimSurface -surface part.obj -keep ") + side,
+                      {"outside the mesh", "(2 2 2) (3 3 3)", "(0 0 0) (1 1 1)"});
+}
+
+TEST(TrimSurface, surfacePartlyOutsideIsWarnedOfAndTrimmed) {
+    const TrimCase box(cuboid({.5, .2, .2}, {2, .7, .7}));
+    const ProgramResult result = box.trim();
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_TRUE(result.err.starts_with("trimSurface: warning: ")) << result.err;
+    EXPECT_EQ(std::ranges::count(result.err, '\n'), 1);
+    EXPECT_TRUE(contains(result.err, "(0.5 0.2 0.2) (2 0.7 0.7)")) << result.err;
+    EXPECT_TRUE(contains(result.err, "(0 0 0) (1 1 1)")) << result.err;
+    EXPECT_NEAR(box.report()["volume"].get<double>(), 0.125, 1e-14);
+    EXPECT_FALSE(box.report().contains("volumeError"));
+    EXPECT_EQ(box.mesh().patches.size(), 2U); // the mesh's own xMax closes it
+}
+
+TEST(TrimSurface, anEmptyResultIsRefused) {
+    const TrimCase box(cuboid({-1, -1, -1}, {2, 2, 2}));
+    const std::string before = box.meshBytes();
+    const ProgramResult result = box.trim("-keep outside");
+    EXPECT_EQ(result.status, 2);
+    EXPECT_TRUE(contains(result.err, "trimSurface: nothing is left")) << result.err;
+    EXPECT_EQ(box.meshBytes(), before);
+}
+
+TEST(TrimSurface, selfIntersectionsAreCountedAndPlaced) {
+    const TrimCase box(
+        join(cuboid({.2, .2, .2}, {.6, .6, .6}), cuboid({.4, .4, .4}, {.8, .8, .8})));
+    const std::string before = box.meshBytes();
+    const ProgramResult result = box.trim();
+    EXPECT_TRUE(result.err.starts_with("trimSurface: warning: ")) << result.err;
+    EXPECT_TRUE(contains(result.err, " pairs of triangles, near (")) << result.err;
+    EXPECT_EQ(result.status, 2); // inside is not defined there
+    EXPECT_TRUE(contains(result.err, "\ntrimSurface: the surface intersects itself near ("))
+        << result.err;
+    EXPECT_EQ(box.meshBytes(), before);
+}
+
+TEST(TrimSurface, goesOnWithSelfIntersectionsThatDoNoHarm) {
+    // Two cubes that overlap outside the mesh only.
+    TrimCase box(join(cuboid({.2, .2, .2}, {1.6, .5, .5}), cuboid({1.3, .3, .3}, {1.9, .9, .9})));
+    const ProgramResult result = box.trim();
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_TRUE(contains(result.err, "intersects itself")) << result.err;
+    EXPECT_GT(box.report()["surface"]["selfIntersections"]["pairs"], 0);
+    EXPECT_NEAR(box.report()["volume"].get<double>(), 0.8 * 0.09, 1e-14);
+}
+
+TEST(TrimSurface, whatIsUnusualButHarmlessIsMentioned) {
+    // Two cubes that share an edge, on which four triangles meet.
+    const TrimCase box(
+        join(cuboid({.1, .1, .1}, {.5, .5, .5}), cuboid({.5, .5, .1}, {.9, .9, .5})));
+    const ProgramResult result = box.trim();
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_TRUE(contains(result.out, "unusual    1 edges of more than two triangles"))
+        << result.out;
+    EXPECT_NEAR(box.report()["volume"].get<double>(), 2 * 0.064, 1e-14);
+}
+
+TEST(TrimSurface, cellZonesStayAndOtherZonesAreDroppedAloud) {
+    const TrimCase box;
+    PolyMesh mesh = box.mesh();
+    mesh.cellZones = {{"low", {}, {}}};
+    for (Label c = 0; c < 108; ++c)
+        mesh.cellZones[0].labels.push_back(c);
+    mesh.faceZones = {{"some", {0, 1, 2}, {false, true, false}}};
+    mesh.pointZones = {{"few", {5}, {}}};
+    foam::writePolyMesh(mesh, box.dir() / "constant/polyMesh", {});
+    const ProgramResult result = box.trim();
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_TRUE(contains(result.out, "1 faceZones and 1 pointZones are dropped")) << result.out;
+    const PolyMesh after = box.mesh();
+    ASSERT_EQ(after.cellZones.size(), 1U);
+    EXPECT_EQ(after.cellZones[0].name, "low");
+    EXPECT_GT(after.cellZones[0].labels.size(), 10U);
+    EXPECT_LT(toLabel(after.cellZones[0].labels.size()), after.cellCount);
+    EXPECT_TRUE(after.faceZones.empty());
+}
+
+TEST(TrimSurface, brokenMeshAndBrokenSurfaceAreRefused) {
+    const TrimCase box;
+    box.write("constant/triSurface/broken.stl", "solid x\nfacet normal 0 0\n");
+    expectRefused(box, "trimSurface -surface broken.stl", {"broken.stl"});
+    const std::string owner = box.read("constant/polyMesh/owner");
+    box.write("constant/polyMesh/owner", std::string_view(owner).substr(0, owner.size() / 2));
+    expectRefused(box, "trimSurface -surface part.obj", {"owner"});
+    std::filesystem::remove_all(box.dir() / "constant/polyMesh");
+    std::filesystem::create_directories(box.dir() / "constant/polyMesh");
+    expectRefused(box, "trimSurface -surface part.obj", {"polyMesh"});
+}
+
+TEST(TrimSurface, givesTheSameBytesWithAnyNumberOfThreads) {
+    const TrimCase box(test::sphere(3, .41, {.5, .5, .5}));
+    std::string one;
+    for (const char* threads : {"1", "2", "8"}) {
+        box.restoreMesh();
+        ASSERT_EQ(box.trim(std::string("-threads ") + threads).status, 0);
+        if (one.empty()) one = box.meshBytes();
+        EXPECT_EQ(box.meshBytes(), one) << threads << " threads";
+    }
+}
+
+} // namespace polymesh::tools

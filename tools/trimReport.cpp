@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: The polymesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/trimReport.h"
+
+#include "libpolymesh/mesh/cellGeometry.h"
+#include "libpolymesh/surface/features.h"
+#include "libpolymesh/surface/measure.h"
+
+#include <algorithm>
+
+namespace polymesh::tools {
+
+namespace {
+
+void reportCells(ToolRun& tool, const TrimRun& run) {
+    const TrimSummary& s = run.trimmed.summary;
+    tool.say("cells      {}: {} untouched, {} trimmed; {} small ones merged",
+             run.trimmed.mesh.cellCount,
+             s.untouchedCells,
+             s.trimmedCells,
+             s.mergedCells);
+    tool.say(
+        "clean-up   {} edges collapsed, {} cuts of concave cells, {} repairs; {} bad cells left",
+        s.collapsedEdges,
+        s.splitCells,
+        s.repairs,
+        s.badCells);
+    tool.report["cells"] = run.trimmed.mesh.cellCount;
+    tool.report["untouched"] = s.untouchedCells;
+    tool.report["trimmed"] = s.trimmedCells;
+    tool.report["merged"] = s.mergedCells;
+    tool.report["collapsedEdges"] = s.collapsedEdges;
+    tool.report["splitCells"] = s.splitCells;
+    tool.report["repairs"] = s.repairs;
+    tool.report["badCells"] = s.badCells;
+    tool.report["holedFaces"] = s.holedFaces;
+}
+
+/// Corners of the surface's features, and which of them the mesh has, bit for bit.
+void reportFeatures(ToolRun& tool, const TrimRun& run) {
+    const SurfaceFeatures features =
+        findFeatures(run.surface, pairEdges(run.surface), run.options.featureAngle);
+    std::vector<Vec3> corners;
+    for (std::size_t p = 0; p < features.isCorner.size(); ++p)
+        if (features.isCorner[p] != 0 && run.initial.box.contains(run.surface.points[p]))
+            corners.push_back(run.surface.points[p]);
+    std::ranges::sort(corners);
+    std::vector<char> isFound(corners.size(), 0);
+    const PolyMesh& mesh = run.trimmed.mesh;
+    for (Label f = mesh.internalFaceCount(); f < mesh.faceCount() && !corners.empty(); ++f)
+        for (const Label p : mesh.faces[f]) {
+            const auto at = std::ranges::lower_bound(corners, mesh.points[index(p)]);
+            if (at != corners.end() && *at == mesh.points[index(p)])
+                isFound[static_cast<std::size_t>(at - corners.begin())] = 1;
+        }
+    const auto found = std::ranges::count(isFound, char{1});
+    tool.say("features   {} edges of the surface; {} of {} corners are points of the mesh",
+             run.trimmed.summary.featureEdges,
+             found,
+             corners.size());
+    tool.report["featureEdges"] = run.trimmed.summary.featureEdges;
+    tool.report["featureCorners"] = run.trimmed.summary.featureCorners;
+    tool.report["cornersInMesh"] = corners.size();
+    tool.report["cornersCaptured"] = found;
+}
+
+/// Volume [m^3] that the boundary of a mesh holds; faces are fans round the mean of their points.
+double boundedVolume(const PolyMesh& mesh) {
+    const Vec3 apex = boundingBox(mesh.points).centre();
+    long double sum = 0;
+    for (Label f = mesh.internalFaceCount(); f < mesh.faceCount(); ++f) {
+        const auto face = mesh.faces[f];
+        Vec3 mean;
+        for (const Label p : face)
+            mean += mesh.points[index(p)] - apex;
+        mean = mean / static_cast<double>(face.size());
+        for (std::size_t i = 0; i < face.size(); ++i)
+            sum += dot(mean,
+                       cross(mesh.points[index(face[i])] - apex,
+                             mesh.points[index(face[(i + 1) % face.size()])] - apex));
+    }
+    return static_cast<double>(sum / 6);
+}
+
+/// Area [m^2] of the faces of a patch.
+double areaOf(const PolyMesh& mesh, const Patch& patch) {
+    double area = 0;
+    for (Label f = patch.start; f < patch.start + patch.size; ++f)
+        area += norm(faceGeometry(mesh.points, mesh.faces[f]).area);
+    return area;
+}
+
+/// One line: a figure of the mesh, and the surface's where it should be the same.
+void compare(ToolRun& tool,
+             const TrimRun& run,
+             const std::string& what,
+             const std::string& unit,
+             const std::array<double, 2>& figures) {
+    const auto& [found, wanted] = figures;
+    tool.report[what] = found;
+    if (!run.isSurfaceWithin) {
+        tool.say("{:<10} {:.12g} {}", what, found, unit);
+        return;
+    }
+    const double error = wanted == 0 ? 0 : found / wanted - 1;
+    tool.say("{:<10} {:.12g} {}; by the surface {:.12g}, relative difference {:.2g}",
+             what,
+             found,
+             unit,
+             wanted,
+             error);
+    tool.report[what + "Error"] = error;
+}
+
+void reportSize(ToolRun& tool, const TrimRun& run) {
+    const PolyMesh& mesh = run.trimmed.mesh;
+    const SurfaceMeasure part = measure(run.surface);
+    const bool isOutside = run.options.keep == Keep::outside;
+    const double wanted = isOutside ? run.initial.volume - part.volume : part.volume;
+    compare(tool, run, "volume", "m^3", {boundedVolume(mesh), wanted});
+    double area = 0;
+    const std::size_t first = mesh.patches.size() - run.surface.regionNames.size();
+    for (std::size_t p = first; p < mesh.patches.size(); ++p) {
+        const Patch& patch = mesh.patches[p];
+        const double patchArea = areaOf(mesh, patch);
+        area += patchArea;
+        tool.report["patches"][patch.name] = {{"faces", patch.size},
+                                              {"area", patchArea},
+                                              {"surfaceArea", part.regionArea[p - first]}};
+    }
+    compare(tool, run, "area", "m^2", {area, part.area});
+    tool.report["surfaceVolume"] = part.volume;
+    tool.report["surfaceArea"] = part.area;
+}
+
+void reportZones(ToolRun& tool, const InitialMesh& initial) {
+    tool.report["droppedZones"] = initial.faceZones + initial.pointZones;
+    if (initial.faceZones + initial.pointZones > 0)
+        tool.say("zones      {} faceZones and {} pointZones are dropped (cellZones are kept)",
+                 initial.faceZones,
+                 initial.pointZones);
+}
+
+void reportTime(ToolRun& tool) {
+    tool.clock.stop();
+    std::string stages;
+    for (const Stage& stage : tool.clock.stages())
+        stages += fmt::format("{}{} {:.3f}", stages.empty() ? "" : ", ", stage.name, stage.seconds);
+    tool.say("time       {:.3f} s: {}", tool.clock.seconds(), stages);
+    tool.say("memory     {} MB at most", peakMemoryBytes() / 1000000);
+}
+
+} // namespace
+
+InitialMesh describe(const PolyMesh& mesh) {
+    return {boundingBox(mesh.points),
+            boundedVolume(mesh),
+            mesh.faceZones.size(),
+            mesh.pointZones.size()};
+}
+
+void reportTrim(ToolRun& tool, const TrimRun& run) {
+    reportCells(tool, run);
+    reportFeatures(tool, run);
+    reportSize(tool, run);
+    reportZones(tool, run.initial);
+    reportTime(tool);
+}
+
+} // namespace polymesh::tools

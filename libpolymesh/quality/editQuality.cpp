@@ -20,6 +20,11 @@ void fail(Badness& badness, double excess) {
     badness.severity += 1 + std::min(excess, 100.0);
 }
 
+void failInvalid(Badness& badness) {
+    ++badness.invalid;
+    fail(badness, 1);
+}
+
 void checkPyramid(MeshEditor& editor, Label f, Label c, Badness& badness) {
     const FaceGeometry& face = editor.faceGeometry(f);
     const CellGeometry& cell = editor.cellGeometry(c);
@@ -56,7 +61,7 @@ void checkBetweenCells(MeshEditor& editor, Label f, Badness& badness) {
         editor.cellGeometry(face.neighbour).centre - editor.cellGeometry(face.owner).centre;
     const double area = norm(g.area);
     const double distance = norm(d);
-    if (area <= 0 || distance <= 0) return fail(badness, 1);
+    if (area <= 0 || distance <= 0) return failInvalid(badness);
     const double along = dot(g.area, d);
     const double cosine = along / (area * distance);
     if (cosine <= 1e-12)
@@ -72,7 +77,7 @@ void checkAtBoundary(MeshEditor& editor, Label f, Badness& badness) {
     const FaceGeometry& g = editor.faceGeometry(f);
     const Vec3 fromOwner = g.centre - editor.cellGeometry(face.owner).centre;
     const double area = norm(g.area);
-    if (area <= 0) return fail(badness, 1);
+    if (area <= 0) return failInvalid(badness);
     const Vec3 normal = g.area / area;
     const double height = dot(normal, fromOwner);
     addSkewness(skewnessOf(editor, f, fromOwner - height * normal, 0.4 * std::abs(height)),
@@ -91,7 +96,7 @@ void checkFace(MeshEditor& editor, Label f, Badness& badness) {
 
 void checkCell(MeshEditor& editor, Label c, Badness& badness) {
     const double volume = editor.cellGeometry(c).volume;
-    if (volume <= 0) return fail(badness, 1);
+    if (volume <= 0) return failInvalid(badness);
     Vec3 sums;
     for (const Label f : editor.cell(c).faces) {
         const Vec3& area = editor.faceGeometry(f).area;
@@ -110,11 +115,13 @@ void checkCell(MeshEditor& editor, Label c, Badness& badness) {
 } // namespace
 
 bool isNoWorse(const Badness& after, const Badness& before) {
+    if (after.invalid != before.invalid) return after.invalid < before.invalid;
     if (after.failures != before.failures) return after.failures < before.failures;
     return after.severity <= before.severity + 1e-12;
 }
 
 bool isBetter(const Badness& after, const Badness& before) {
+    if (after.invalid != before.invalid) return after.invalid < before.invalid;
     if (after.failures != before.failures) return after.failures < before.failures;
     return after.severity < before.severity - 1e-3 * (1 + before.severity);
 }

@@ -9,19 +9,21 @@
 
 namespace polymesh {
 
-/// How bad a group of cells is. `failures` counts what OpenFOAM's checkMesh fails by default (wrong
-/// face pyramids, non-orthogonality from 90 deg, skewness over 4, volume not positive, aspect ratio
-/// over 1000); `severity` adds up how far measures are beyond limits somewhat stricter than those,
-/// so that it is 0 for healthy cells.
+/// How bad a group of cells is. `invalid` counts what no solver can take: cells without a positive
+/// volume and faces without area; no other gain makes up for one more of them. `failures` counts
+/// what OpenFOAM's checkMesh fails by default (wrong face pyramids, non-orthogonality from 90 deg,
+/// skewness over 4, volume not positive, aspect ratio over 1000); `severity` adds up how far
+/// measures are beyond limits somewhat stricter than those, so that it is 0 for healthy cells.
 struct Badness {
+    Label invalid = 0;
     Label failures = 0;
     double severity = 0;
 
     bool operator==(const Badness&) const = default;
 };
 
-/// True when a change from `before` to `after` does no harm: no more failures, and either nothing
-/// beyond the strict limits or no more of it.
+/// True when a change from `before` to `after` does no harm: nothing more invalid, no more
+/// failures, and either nothing beyond the strict limits or no more of it.
 bool isNoWorse(const Badness& after, const Badness& before);
 
 /// True when a change makes things better: fewer failures, or as many and clearly less severe.

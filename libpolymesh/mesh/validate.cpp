@@ -4,6 +4,7 @@
 
 #include "libpolymesh/base/error.h"
 #include "libpolymesh/base/parallel.h"
+#include "libpolymesh/mesh/cellGeometry.h"
 #include "libpolymesh/mesh/topology.h"
 
 #include <algorithm>
@@ -232,7 +233,18 @@ std::pair<double, double> fanVolume(const PolyMesh& mesh, Label face, const Vec3
     return {sum, magnitude};
 }
 
-/// True when the volume is negative beyond round-off, whatever diagonals split the faces.
+/// The volume of one cell by OpenFOAM's definition [m^3].
+double volumeOf(const PolyMesh& mesh, Label cell, std::span<const Label> faces) {
+    std::vector<FaceGeometry> outward;
+    for (const Label face : faces) {
+        outward.push_back(faceGeometry(mesh.points, mesh.faces[face]));
+        if (mesh.owner[index(face)] != cell) outward.back().area = -outward.back().area;
+    }
+    return cellGeometry(outward).volume;
+}
+
+/// True when the volume is negative. Fans from a corner are a cheap first measure; only where they
+/// are in doubt (thin cells, bent faces) the volume itself is asked.
 bool isInsideOut(const PolyMesh& mesh, Label cell, std::span<const Label> faces) {
     const Vec3& apex = mesh.points[index(mesh.faces[faces[0]][0])];
     double volume = 0;
@@ -242,7 +254,7 @@ bool isInsideOut(const PolyMesh& mesh, Label cell, std::span<const Label> faces)
         volume += mesh.owner[index(face)] == cell ? sum : -sum;
         magnitude += size;
     }
-    return volume < -0.1 * magnitude; // a warped sliver may well be slightly negative
+    return volume < 0.1 * magnitude && volumeOf(mesh, cell, faces) < 0;
 }
 
 void checkCell(const PolyMesh& mesh,

@@ -20,6 +20,12 @@ void fail(Badness& badness, double excess) {
     badness.severity += 1 + std::min(excess, 100.0);
 }
 
+/// Areas below this are round-off of collinear corners, whatever their last digits say [m^2].
+double noArea(const MeshEditor& editor, Label f) {
+    const double size = editor.cell(editor.face(f).owner).size;
+    return 1e-12 * size * size;
+}
+
 void failInvalid(Badness& badness) {
     ++badness.invalid;
     fail(badness, 1);
@@ -61,7 +67,7 @@ void checkBetweenCells(MeshEditor& editor, Label f, Badness& badness) {
         editor.cellGeometry(face.neighbour).centre - editor.cellGeometry(face.owner).centre;
     const double area = norm(g.area);
     const double distance = norm(d);
-    if (area <= 0 || distance <= 0) return failInvalid(badness);
+    if (area <= noArea(editor, f) || distance <= 0) return failInvalid(badness);
     const double along = dot(g.area, d);
     const double cosine = along / (area * distance);
     if (cosine <= 1e-12)
@@ -77,7 +83,7 @@ void checkAtBoundary(MeshEditor& editor, Label f, Badness& badness) {
     const FaceGeometry& g = editor.faceGeometry(f);
     const Vec3 fromOwner = g.centre - editor.cellGeometry(face.owner).centre;
     const double area = norm(g.area);
-    if (area <= 0) return failInvalid(badness);
+    if (area <= noArea(editor, f)) return failInvalid(badness);
     const Vec3 normal = g.area / area;
     const double height = dot(normal, fromOwner);
     addSkewness(skewnessOf(editor, f, fromOwner - height * normal, 0.4 * std::abs(height)),

@@ -95,6 +95,12 @@ Opened open(const Face& face,
     return result;
 }
 
+/// How many points of a loop must stay.
+std::size_t neededOf(const Opened& opened, const LoopPolygon& loop) {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        loop, [&](Label p) { return std::ranges::find(opened.needed, p) != opened.needed.end(); }));
+}
+
 TEST(OpenHoles, oneHoleMakesTwoPolygons) {
     Face face;
     const LoopPolygon outline = face.ring(6, 0, 0, 2, 1);
@@ -102,9 +108,8 @@ TEST(OpenHoles, oneHoleMakesTwoPolygons) {
     const Opened result = open(face, {outline}, {hole}, true);
     EXPECT_EQ(result.holes, 1);
     EXPECT_EQ(result.polygons.size(), 2U);
-    EXPECT_EQ(result.needed.size(), 4U);
-    for (const Label p : result.needed)
-        EXPECT_TRUE(std::ranges::count(outline, p) + std::ranges::count(hole, p) == 1);
+    EXPECT_EQ(neededOf(result, outline), 2U);
+    EXPECT_GE(neededOf(result, hole), 3U); // two bridges, and it stays open
 }
 
 TEST(OpenHoles, severalHolesAreEachOpened) {
@@ -126,7 +131,7 @@ TEST(OpenHoles, islandsArePolygonsOfTheirOwn) {
     EXPECT_EQ(alone.holes, 0);
     ASSERT_EQ(alone.polygons.size(), 1U);
     EXPECT_EQ(alone.polygons[0], island);
-    EXPECT_TRUE(alone.needed.empty());
+    EXPECT_EQ(neededOf(alone, island), 3U);
 }
 
 TEST(OpenHoles, aHoleGoesToTheSmallestPolygonRoundIt) {

@@ -1,0 +1,269 @@
+// SPDX-FileCopyrightText: The polymesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Laws of the whole trim, on real surfaces.
+
+#include "formats/surfaceIo.h"
+#include "libpolymesh/initial/cartesian.h"
+#include "libpolymesh/mesh/cellGeometry.h"
+#include "libpolymesh/mesh/validate.h"
+#include "libpolymesh/surface/measure.h"
+#include "libpolymesh/surface/orient.h"
+#include "libpolymesh/trim/trim.h"
+#include "tests/formats/surfaceFilesTest.h"
+#include "tests/support/meshes.h"
+#include "tests/support/surfaces.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace polymesh::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path examples = "/usr/share/doc/openfoam-examples/examples/resources/geometry";
+const fs::path cgalData = "/usr/share/doc/libcgal-dev/data.tar.gz";
+
+/// Surfaces by name, of the packages openfoam-examples and libcgal-demo; none where they are not
+/// installed.
+std::map<std::string, TriSurface> realSurfaces() {
+    std::map<std::string, TriSurface> surfaces;
+    if (fs::exists(examples / "flange.stl.gz"))
+        surfaces["flange"] = readSurface(examples / "flange.stl.gz");
+    const TemporaryFolder folder;
+    const std::string command = "tar xzf " + cgalData.string() + " -C " + folder.path().string() +
+                                " data/meshes/elephant.off data/meshes/couplingdown.off "
+                                "data/meshes/joint.off";
+    if (fs::exists(cgalData) && std::system(command.c_str()) == 0)
+        for (const char* name : {"elephant", "couplingdown", "joint"})
+            surfaces[name] =
+                readSurface(folder.path() / "data/meshes" / (std::string(name) + ".off"));
+    for (auto& [name, surface] : surfaces)
+        orientSurface(surface);
+    return surfaces;
+}
+
+/// A box of about `cells` cells round the surface.
+PolyMesh boxOf(const TriSurface& surface, double cells) {
+    const Box bounds = boundingBox(surface.points);
+    const Vec3 size = bounds.size();
+    const double cellSize = std::cbrt(size.x * size.y * size.z / cells);
+    return cartesianMesh(boxAround(bounds, cellSize, defaultMargin(cellSize)));
+}
+
+TrimOptions exact(Keep keep = Keep::inside) {
+    TrimOptions options;
+    options.keep = keep;
+    options.deviation = 0;
+    options.minEdge = 0;
+    options.minVolume = 0;
+    options.mendsCells = false;
+    return options;
+}
+
+double volumeOf(const PolyMesh& mesh) {
+    const std::vector<double> volumes = computeGeometry(mesh).cellVolumes;
+    return std::accumulate(volumes.begin(), volumes.end(), 0.0);
+}
+
+PolyMesh trimmed(const PolyMesh& mesh, const TriSurface& surface, const TrimOptions& options) {
+    PolyMesh result = trim(mesh, surface, options).mesh;
+    for (const Defect& defect : validate(result))
+        ADD_FAILURE() << defect.message;
+    return result;
+}
+
+void expectExact(const PolyMesh& mesh, const TriSurface& surface, const std::string& name) {
+    const double part = measure(surface).volume;
+    const double whole = volumeOf(mesh);
+    const double inside = volumeOf(trimmed(mesh, surface, exact()));
+    const double outside = volumeOf(trimmed(mesh, surface, exact(Keep::outside)));
+    EXPECT_NEAR(inside / part, 1, 1e-11) << name;
+    EXPECT_NEAR((inside + outside) / whole, 1, 1e-11) << name;
+}
+
+/// A turn about a skew axis that maps no coordinate plane to another.
+Vec3 turned(const Vec3& p) {
+    const Vec3 axis = Vec3{1, 2, 3} / std::sqrt(14.0);
+    const double angle = 0.7;
+    return std::cos(angle) * p + std::sin(angle) * cross(axis, p) +
+           (1 - std::cos(angle)) * dot(axis, p) * axis;
+}
+
+template<class Body>
+void turnAll(Body& body) {
+    for (Vec3& p : body.points)
+        p = turned(p);
+}
+
+TEST(TrimLaws, insideIsThePartAndOutsideTheRestOfTheBox) {
+    const auto surfaces = realSurfaces();
+    if (surfaces.empty()) GTEST_SKIP() << "openfoam-examples and libcgal-demo are not installed";
+    for (const auto& [name, surface] : surfaces)
+        expectExact(boxOf(surface, 3000), surface, name);
+}
+
+TEST(TrimLaws, alsoForTurnedSurfaces) {
+    auto surfaces = realSurfaces();
+    if (surfaces.empty()) GTEST_SKIP() << "openfoam-examples and libcgal-demo are not installed";
+    for (auto& [name, surface] : surfaces) {
+        turnAll(surface);
+        expectExact(boxOf(surface, 1000), surface, name);
+    }
+}
+
+TEST(TrimLaws, defaultOptionsGiveValidMeshesNearThePart) {
+    const auto surfaces = realSurfaces();
+    if (surfaces.empty()) GTEST_SKIP() << "openfoam-examples and libcgal-demo are not installed";
+    for (const auto& [name, surface] : surfaces)
+        for (const Keep keep : {Keep::inside, Keep::outside}) {
+            TrimOptions options;
+            options.keep = keep;
+            const PolyMesh mesh = boxOf(surface, 3000);
+            const double part = measure(surface).volume;
+            const double wanted = keep == Keep::inside ? part : volumeOf(mesh) - part;
+            EXPECT_NEAR(volumeOf(trimmed(mesh, surface, options)), wanted, 0.02 * part) << name;
+        }
+}
+
+/// Turning mesh and surface together changes nothing: all their points are in general position.
+void expectTurningChangesNothing(PolyMesh mesh, TriSurface surface) {
+    const PolyMesh before = trimmed(mesh, surface, exact());
+    turnAll(mesh);
+    turnAll(surface);
+    const PolyMesh after = trimmed(mesh, surface, exact());
+    EXPECT_EQ(after.cellCount, before.cellCount);
+    EXPECT_NEAR(volumeOf(after) / volumeOf(before), 1, 1e-12);
+}
+
+TEST(TrimLaws, turningMeshAndSurfaceTogetherChangesNothing) {
+    // Faces that are fans before must be fans after: only then is the geometry the same.
+    const PolyMesh mesh = jittered(box(6, 6, 6), .02);
+    expectTurningChangesNothing(mesh, sphere(3, .37, {.51, .47, .5}));
+    expectTurningChangesNothing(mesh, cuboid({.13, .23, .18}, {.71, .77, .83}));
+}
+
+/// The surface with its points numbered otherwise and its triangles in another order.
+TriSurface renumbered(TriSurface surface, unsigned seed) {
+    std::mt19937 random(seed);
+    std::vector<Label> number(surface.points.size());
+    std::iota(number.begin(), number.end(), 0);
+    for (std::size_t i = number.size(); i > 1; --i)
+        std::swap(number[i - 1], number[random() % i]);
+    const std::vector<Vec3> points = surface.points;
+    for (std::size_t i = 0; i < number.size(); ++i)
+        surface.points[index(number[i])] = points[i];
+    for (auto& triangle : surface.triangles)
+        for (Label& p : triangle)
+            p = number[index(p)];
+    return shuffled(surface, seed);
+}
+
+void expectRenumberingChangesNothing(const PolyMesh& mesh, const TriSurface& surface) {
+    const PolyMesh before = trimmed(mesh, surface, exact());
+    for (const unsigned seed : {1U, 2U}) {
+        const PolyMesh after = trimmed(mesh, renumbered(surface, seed), exact());
+        EXPECT_EQ(after.cellCount, before.cellCount);
+        EXPECT_NEAR(volumeOf(after) / volumeOf(before), 1, 1e-13);
+    }
+}
+
+TEST(TrimLaws, renumberingTheSurfaceChangesNothing) {
+    expectRenumberingChangesNothing(box(7, 7, 7), sphere(3, .37, {.51, .47, .5}));
+    expectRenumberingChangesNothing(box(4, 4, 4), cuboid({.25, .25, .25}, {.75, .75, .625}));
+    expectRenumberingChangesNothing(box(4, 4, 4, {4, 4, 4}), sphere(0, 1.5, {1.5, 2, 2}));
+    for (const auto& [name, surface] : realSurfaces())
+        if (name != "elephant") expectRenumberingChangesNothing(boxOf(surface, 500), surface);
+}
+
+/// A box in which every cell of the lower half is one of eight: faces and edges hang.
+PolyMesh refinedBelow(Label n) {
+    const double coarse = 1.0 / n;
+    std::map<Vec3, Label> labels;
+    std::vector<Vec3> points;
+    const auto label = [&](const Vec3& p) {
+        const auto [at, isNew] = labels.try_emplace(p, toLabel(points.size()));
+        if (isNew) points.push_back(p);
+        return at->second;
+    };
+    std::vector<Polyhedron> cells;
+    const auto corner = [](const Vec3& low, double h, int i) {
+        return low + Vec3{(i & 1) != 0 ? h : 0, (i & 2) != 0 ? h : 0, (i & 4) != 0 ? h : 0};
+    };
+    const auto addHex = [&](const Vec3& low, double h) {
+        std::array<Label, 8> v{};
+        const std::array<int, 8> order{0, 1, 3, 2, 4, 5, 7, 6};
+        for (std::size_t i = 0; i < 8; ++i)
+            v[i] = label(corner(low, h, order[i]));
+        cells.push_back(hexahedron(v));
+    };
+    /// A coarse cell on the fine half: four faces below, and a middle on each lower edge.
+    const auto addTransition = [&](const Vec3& low, double h) {
+        const auto at = [&](double x, double y, double z) {
+            return label(low + Vec3{x * h, y * h, z * h});
+        };
+        Polyhedron cell{{at(0, 0, 1), at(1, 0, 1), at(1, 1, 1), at(0, 1, 1)},
+                        {at(0, 0, 0), at(.5, 0, 0), at(1, 0, 0), at(1, 0, 1), at(0, 0, 1)},
+                        {at(1, 0, 0), at(1, .5, 0), at(1, 1, 0), at(1, 1, 1), at(1, 0, 1)},
+                        {at(1, 1, 0), at(.5, 1, 0), at(0, 1, 0), at(0, 1, 1), at(1, 1, 1)},
+                        {at(0, 1, 0), at(0, .5, 0), at(0, 0, 0), at(0, 0, 1), at(0, 1, 1)}};
+        for (const double x : {0.0, .5})
+            for (const double y : {0.0, .5})
+                cell.push_back(
+                    {at(x, y, 0), at(x, y + .5, 0), at(x + .5, y + .5, 0), at(x + .5, y, 0)});
+        cells.push_back(cell);
+    };
+    for (Label k = 0; k < n; ++k)
+        for (Label j = 0; j < n; ++j)
+            for (Label i = 0; i < n; ++i) {
+                const Vec3 low{coarse * i, coarse * j, coarse * k};
+                if (2 * k > n) {
+                    addHex(low, coarse);
+                } else if (2 * k == n) {
+                    addTransition(low, coarse);
+                } else {
+                    for (int part = 0; part < 8; ++part)
+                        addHex(corner(low, coarse / 2, part), coarse / 2);
+                }
+            }
+    return meshOf(std::move(points), cells);
+}
+
+TEST(TrimLaws, meshesWithHangingNodesAreTrimmedExactly) {
+    const PolyMesh mesh = refinedBelow(8);
+    ASSERT_TRUE(validate(mesh).empty());
+    expectExact(mesh, sphere(3, .37, {.51, .47, .5}), "sphere");
+    expectExact(mesh, cuboid({.25, .25, .25}, {.75, .75, .75}), "cuboid on grid planes");
+    expectExact(mesh, sphere(0, .25, {.5, .5, .5}), "octahedron on nodes");
+    trimmed(mesh, sphere(3, .37, {.51, .47, .5}), TrimOptions{});
+}
+
+TEST(TrimLaws, jitteredMeshesAreTrimmedExactly) {
+    for (const unsigned seed : {1U, 2U}) {
+        const PolyMesh mesh = jittered(refinedBelow(4), .02, seed);
+        expectExact(mesh, sphere(3, .37, {.51, .47, .5}), "sphere");
+        expectExact(mesh, cuboid({.25, .25, .25}, {.75, .75, .75}), "cuboid");
+        trimmed(mesh, cuboid({.21, .22, .23}, {.71, .72, .77}), TrimOptions{});
+    }
+}
+
+TEST(TrimLaws, finerMeshesComeNearerToThePart) {
+    const TriSurface surface = sphere(5, .41, {.5, .5, .5});
+    double last = 1;
+    for (const Label n : {5, 10, 20}) {
+        TrimOptions options;
+        options.deviation = 0.2;
+        const double error = std::abs(
+            volumeOf(trimmed(box(n, n, n), surface, options)) / measure(surface).volume - 1);
+        EXPECT_LT(error, 0.5 * last) << n;
+        last = error;
+    }
+}
+
+} // namespace
+} // namespace polymesh::test

@@ -72,6 +72,29 @@ TrimOptions trimOptions(const Settings& settings) {
     return trim;
 }
 
+/// Trims and validates. Should the clean-up spoil the mesh (a bug, but no reason to leave the user
+/// without one), the trim is done again without it, and said so.
+Trimmed trimValid(ToolRun& tool, PolyMesh mesh, const TriSurface& surface, TrimOptions how) {
+    const auto attempt = [&](PolyMesh initial) {
+        Trimmed trimmed = trim(std::move(initial), surface, how);
+        tool.clock.start("validate");
+        requireValid(trimmed.mesh, "the trimmed mesh");
+        return trimmed;
+    };
+    const bool hasCleanUp = how.mendsCells || how.minEdge > 0 || how.minVolume > 0;
+    try {
+        return attempt(std::move(mesh));
+    } catch (const WorkError& error) {
+        if (!hasCleanUp) throw;
+        fmt::print(stderr,
+                   "trimSurface: warning: {}; the mesh is made without clean-up instead\n",
+                   error.what());
+    }
+    how.mendsCells = false;
+    how.minEdge = how.minVolume = 0;
+    return attempt(foam::readPolyMesh(tool.meshDir()));
+}
+
 ExitCode run(ToolRun& tool) {
     TrimOptions how = trimOptions(tool.settings);
     how.onStage = [&](const std::string& name) { tool.clock.start(name); };
@@ -86,9 +109,7 @@ ExitCode run(ToolRun& tool) {
     prepareSurface(tool, file, surface);
     const InitialMesh initial = describe(mesh);
     const bool isWithin = checkPlace(tool, file, surface, initial.box);
-    const Trimmed trimmed = trim(std::move(mesh), surface, how);
-    tool.clock.start("validate");
-    requireValid(trimmed.mesh, "the trimmed mesh");
+    const Trimmed trimmed = trimValid(tool, std::move(mesh), surface, how);
     tool.clock.start("write");
     foam::writePolyMesh(trimmed.mesh, tool.meshDir(), format);
     tool.clock.start("report");

@@ -176,10 +176,12 @@ FaceAreas areasAt(MeshEditor& editor, Label p) {
     return areas;
 }
 
+/// Whether a face has turned round, or has lost its area.
 bool anyTurned(MeshEditor& editor, const FaceAreas& before) {
     return std::any_of(before.begin(), before.end(), [&](const auto& entry) {
         return !editor.face(entry.first).isRemoved() &&
-               dot(editor.faceGeometry(entry.first).area, entry.second) < 0;
+               dot(editor.faceGeometry(entry.first).area, entry.second) <=
+                   1e-9 * squaredNorm(entry.second);
     });
 }
 

@@ -23,7 +23,7 @@ void fail(Badness& badness, double excess) {
 /// Areas below this are round-off of collinear corners, whatever their last digits say [m^2].
 double noArea(const MeshEditor& editor, Label f) {
     const double size = editor.cell(editor.face(f).owner).size;
-    return 1e-12 * size * size;
+    return 1e-14 * size * size;
 }
 
 void failInvalid(Badness& badness) {

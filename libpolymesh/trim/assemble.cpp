@@ -86,12 +86,13 @@ private:
             return a.source < b.source;
         };
         std::ranges::sort(edited, before);
+        if (!std::ranges::is_sorted(records_, before)) std::ranges::sort(records_, before);
         std::vector<FaceRecord> merged(records_.size() + edited.size());
         std::ranges::merge(records_, edited, merged.begin(), before);
         records_ = std::move(merged);
     }
 
-    /// Faces of the old mesh that stay as they are: they are in order already.
+    /// Faces of the old mesh that stay as they are: in order already where that was in order.
     void listOldFaces() {
         Label patch = 0;
         for (Label f = 0; f < mesh_.faceCount(); ++f) {

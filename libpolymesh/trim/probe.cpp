@@ -9,7 +9,9 @@
 #include <boost/container/small_vector.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 namespace polymesh {
 
@@ -43,18 +45,52 @@ struct NearCells {
     std::vector<Range> ranges;        // of the marked cells, in order
 };
 
+/// The range of bins of every cell. Internal faces are in the order of their owners, so that blocks
+/// of cells can take the faces that they own at the same time; faces whose neighbour belongs to a
+/// later block, and the boundary's, come afterwards.
+std::vector<Range> rangesOfCells(const PolyMesh& mesh,
+                                 const std::vector<TriangleBins::Index>& binOf) {
+    std::vector<Range> ranges(index(mesh.cellCount));
+    const auto rangeOf = [&](Label f) {
+        Range range;
+        for (const Label p : mesh.faces[f])
+            range.add(binOf[index(p)]);
+        return range;
+    };
+    const auto owners = std::span(mesh.owner).first(mesh.neighbour.size());
+    const bool isOrdered = std::ranges::is_sorted(owners); // else all in one block
+    constexpr Label blocks = 16;
+    const Label blockSize = isOrdered ? mesh.cellCount / blocks + 1 : mesh.cellCount;
+    std::array<std::vector<Label>, blocks + 1> crossing;
+    parallelBlocks(mesh.cellCount, blockSize, [&](Label block, Label firstCell, Label lastCell) {
+        const auto place = [&](Label cell) {
+            if (!isOrdered) return cell == 0 ? Label{0} : toLabel(owners.size());
+            return toLabel(
+                static_cast<std::size_t>(std::ranges::lower_bound(owners, cell) - owners.begin()));
+        };
+        const Label lastFace = place(lastCell);
+        for (Label f = place(firstCell); f < lastFace; ++f) {
+            const Range range = rangeOf(f);
+            ranges[index(mesh.owner[index(f)])].add(range);
+            if (mesh.neighbour[index(f)] < lastCell)
+                ranges[index(mesh.neighbour[index(f)])].add(range);
+            else
+                crossing[index(block)].push_back(f);
+        }
+    });
+    for (const auto& faces : crossing)
+        for (const Label f : faces)
+            ranges[index(mesh.neighbour[index(f)])].add(rangeOf(f));
+    for (Label f = mesh.internalFaceCount(); f < mesh.faceCount(); ++f)
+        ranges[index(mesh.owner[index(f)])].add(rangeOf(f));
+    return ranges;
+}
+
 NearCells findNearCells(const PolyMesh& mesh, const TriangleBins& bins) {
     std::vector<TriangleBins::Index> binOf(mesh.points.size());
     parallelFor(mesh.pointCount(),
                 [&](Label p) { binOf[index(p)] = bins.binOf(mesh.points[index(p)]); });
-    std::vector<Range> ranges(index(mesh.cellCount));
-    for (Label f = 0; f < mesh.faceCount(); ++f) {
-        Range range;
-        for (const Label p : mesh.faces[f])
-            range.add(binOf[index(p)]);
-        ranges[index(mesh.owner[index(f)])].add(range);
-        if (mesh.isInternal(f)) ranges[index(mesh.neighbour[index(f)])].add(range);
-    }
+    std::vector<Range> ranges = rangesOfCells(mesh, binOf);
     NearCells cells;
     cells.marked.resize(index(mesh.cellCount));
     parallelFor(mesh.cellCount, [&](Label c) {

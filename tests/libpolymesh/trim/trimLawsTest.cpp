@@ -252,6 +252,26 @@ TEST(TrimLaws, jitteredMeshesAreTrimmedExactly) {
     }
 }
 
+TEST(TrimLaws, DISABLED_aVoidBelongsToThePieceOfTheCellThatHoldsIt) {
+    // A wall divides the cell into a thin piece and a thick one; a ball hollows out the thick one.
+    const TriSurface wall = cuboid({.1, -1, -1}, {.2, 2, 2});
+    const TriSurface ball = sphere(2, .35, {.6, .5, .5});
+    for (const bool isMirrored : {false, true}) {
+        TriSurface surface = join(wall, ball);
+        if (isMirrored) {
+            for (Vec3& p : surface.points)
+                p.x = 1 - p.x;
+            surface = inverted(surface);
+        }
+        const PolyMesh mesh = trimmed(unitCube(), surface, exact(Keep::outside));
+        ASSERT_EQ(mesh.cellCount, 2);
+        std::vector<double> volumes = computeGeometry(mesh).cellVolumes;
+        std::ranges::sort(volumes);
+        EXPECT_NEAR(volumes[0], .1, 1e-14);
+        EXPECT_NEAR(volumes[1], .8 - measure(ball).volume, 1e-14);
+    }
+}
+
 TEST(TrimLaws, finerMeshesComeNearerToThePart) {
     const TriSurface surface = sphere(5, .41, {.5, .5, .5});
     double last = 1;

@@ -36,18 +36,22 @@ constexpr std::array<double, 3> shortLimits{
 /// A change that might be made, and what it would do to the badness round it.
 struct Proposal {
     Remedy remedy = Remedy::cut;
-    Label from = -1;    // cell or point
-    Label to = -1;      // cell or point; for collapseAll which limit
-    Label face = -1;    // for splitFace
-    Label failures = 0; // the change: negative is good
+    Label from = -1; // cell or point
+    Label to = -1;   // cell or point; for collapseAll which limit
+    Label face = -1; // for splitFace: the face, and the cell for which it is split
+    Label cell = -1;
+    Label invalid = 0; // the changes: negative is good
+    Label failures = 0;
     double severity = 0;
 };
 
 bool isGood(const Proposal& p) {
+    if (p.invalid != 0) return p.invalid < 0;
     return p.failures < 0 || (p.failures == 0 && p.severity < -1e-3);
 }
 
 bool isBetterThan(const Proposal& a, const Proposal& b) {
+    if (a.invalid != b.invalid) return a.invalid < b.invalid;
     return a.failures != b.failures ? a.failures < b.failures : a.severity < b.severity - 1e-9;
 }
 
@@ -102,6 +106,35 @@ Label collapseAll(MeshEditor& editor, Label cell, double limit) {
     return count;
 }
 
+/// Makes a part of a cell that is no cell by itself a part of one of its neighbours, not of
+/// `other`.
+bool givePartAway(MeshEditor& editor, Label part, Label other) {
+    for (const MergePartner& partner : mergePartners(editor, part)) {
+        if (partner.cell == other) continue;
+        const MeshEditor::Mark mark = editor.mark();
+        if (mergeCells(editor, part, partner.cell)) return true;
+        editor.undoTo(mark);
+    }
+    return false;
+}
+
+/// Cuts a face of the cell from a to b. Where the cell has that edge already, it falls apart there:
+/// a thin flap that hangs on the cell by an edge goes to the neighbour beyond it.
+bool splitAtChord(MeshEditor& editor, const Proposal& chord) {
+    const Label cell = chord.cell;
+    const Label other = editor.otherCell(chord.face, cell);
+    if (!splitFace(editor, chord.face, chord.from, chord.to)) return false;
+    const std::array<Label, 2> both{cell, other < 0 ? cell : other};
+    if (allBalls(editor, both)) return true;
+    if (separateParts(editor, cell) != 1) return false;
+    const std::array<Label, 2> parts{cell, editor.cellCount() - 1};
+    for (const Label part : parts)
+        if (editor.cell(part).faces.size() < 4 &&
+            !givePartAway(editor, part, part == cell ? parts[1] : cell))
+            return false;
+    return allBalls(editor, parts) && allBalls(editor, both);
+}
+
 /// Looks for the best change round one cell.
 class RepairSearch {
 public:
@@ -115,19 +148,21 @@ public:
         proposeCollapses();
         for (std::size_t i = 0; i < shortLimits.size(); ++i)
             proposeCollapseAll(toLabel(i));
-        if (!best_) proposeFaceSplits();
         if (!best_) proposeCut(Remedy::cutAnywhere);
+        if (!best_) proposeFaceSplits();
         return best_ ? best_ : fallback_;
     }
 
 private:
     void consider(Proposal proposal, const Badness& before, const Badness& after) {
+        proposal.invalid = after.invalid - before.invalid;
         proposal.failures = after.failures - before.failures;
         proposal.severity = after.severity - before.severity;
         if (isGood(proposal) && (!best_ || isBetterThan(proposal, *best_))) best_ = proposal;
         // A narrow strip may go on in the next cell: taking it away here moves the trouble there,
         // where the next step takes it away too. This ends, as each collapse removes a point.
-        const bool passesOn = proposal.failures <= 0 && proposal.severity < 0.1;
+        const bool passesOn =
+            proposal.invalid <= 0 && proposal.failures <= 0 && proposal.severity < 0.1;
         if (proposal.remedy == Remedy::collapseAll && passesOn && !fallback_) fallback_ = proposal;
     }
 
@@ -173,7 +208,7 @@ private:
             for (std::size_t i = 0; i < polygon.size(); ++i)
                 for (std::size_t j = i + 2; j < polygon.size() - (i == 0); ++j)
                     proposeFaceSplit(
-                        {Remedy::splitFace, polygon[i], polygon[j], f}, region, before);
+                        {Remedy::splitFace, polygon[i], polygon[j], f, cell_}, region, before);
         }
     }
 
@@ -181,11 +216,12 @@ private:
                           std::span<const Label> region,
                           const Badness& before) {
         const MeshEditor::Mark mark = editor_.mark();
-        const Label other = editor_.otherCell(proposal.face, cell_);
-        const std::array<Label, 2> cells{cell_, other < 0 ? cell_ : other};
-        if (splitFace(editor_, proposal.face, proposal.from, proposal.to) &&
-            allBalls(editor_, cells))
-            consider(proposal, before, badnessOf(editor_, region));
+        const Label oldCells = editor_.cellCount();
+        if (splitAtChord(editor_, proposal) && allBalls(editor_, region)) {
+            std::vector<Label> all(region.begin(), region.end());
+            if (editor_.cellCount() > oldCells) all.push_back(oldCells);
+            consider(proposal, before, badnessOf(editor_, all));
+        }
         editor_.undoTo(mark);
     }
 
@@ -258,8 +294,10 @@ void apply(MeshEditor& editor,
         cells = {proposal.to};
         ++counts.merges;
     } else if (proposal.remedy == Remedy::splitFace) {
-        cells = {editor.face(proposal.face).owner};
-        splitFace(editor, proposal.face, proposal.from, proposal.to);
+        cells = {proposal.cell};
+        const Label oldCells = editor.cellCount();
+        splitAtChord(editor, proposal);
+        if (editor.cellCount() > oldCells) cells.push_back(oldCells);
         ++counts.splits;
     } else if (proposal.remedy == Remedy::collapseAll) {
         const std::array<Label, 1> one{proposal.from};

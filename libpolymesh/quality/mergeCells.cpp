@@ -123,6 +123,7 @@ Label mergeIntoBestPartner(MeshEditor& editor, Label cell) {
         if (mergeCells(editor, cell, partner.cell) && allBalls(editor, region) &&
             isNoWorse(badnessOf(editor, region), before) && !isHuge(editor, partner.cell)) {
             const double concavity = concavityOf(editor, partner.cell);
+            if (concavity <= 0) return partner.cell; // convex: the others can do no better
             if (best < 0 || concavity < least - 1e-6) {
                 best = partner.cell;
                 least = concavity;

@@ -90,7 +90,9 @@ shortEdgesOf(const MeshEditor& editor, Label cell, double limit) {
 Label collapseAll(MeshEditor& editor, Label cell, double limit) {
     Label count = 0;
     for (const auto& [a, b] : shortEdgesOf(editor, cell, limit * editor.cell(cell).size))
-        for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}}) {
+        for (const auto& ends : {std::pair{a, b}, std::pair{b, a}}) {
+            const Label from = ends.first;
+            const Label to = ends.second;
             const auto faces = editor.facesOfPoint(from);
             const bool exists = std::any_of(faces.begin(), faces.end(), [&](Label f) {
                 return hasEdge(editor.face(f).points, from, to);

@@ -25,7 +25,7 @@ enum class PointRank : std::uint8_t {
 using Polygon = boost::container::small_vector<Label, 6>;
 
 /// A polygon between two cells or on a patch; its right-hand normal leaves `owner`.
-struct EditFace {
+struct EditFace { // NOLINT(bugprone-exception-escape): boost's move may allocate
     Polygon points;
     Label owner = -1;     // -1: the face has been removed
     Label neighbour = -1; // -1: boundary
@@ -37,7 +37,7 @@ struct EditFace {
 };
 
 /// A cell of the edited part.
-struct EditCell {
+struct EditCell { // NOLINT(bugprone-exception-escape): boost's move may allocate
     boost::container::small_vector<Label, 8> faces; // empty: the cell has been removed
     double size = 0;     // [m] edge length of the hexahedron it came from (cube root of its volume)
     bool frozen = false; // outside the edited part: only some of its faces are here; never changed

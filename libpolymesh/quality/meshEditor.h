@@ -89,7 +89,7 @@ public:
     void computeGeometry();
 
 private:
-    struct Change {
+    struct Change { // NOLINT(bugprone-exception-escape): boost's move may allocate
         Label face = -1;
         EditFace before;
     };

@@ -80,6 +80,7 @@ shortEdgesOf(const MeshEditor& editor, Label cell, double limit) {
     }
     std::sort(edges.begin(), edges.end());
     std::vector<std::pair<Label, Label>> sorted;
+    sorted.reserve(edges.size());
     for (const auto& edge : edges)
         sorted.push_back(edge.second);
     return sorted;

@@ -272,6 +272,20 @@ TEST(TrimLaws, DISABLED_aVoidBelongsToThePieceOfTheCellThatHoldsIt) {
     }
 }
 
+TEST(TrimLaws, DISABLED_aVoidThatTouchesAFaceOfTheCellStaysAVoid) {
+    // The tip of an octahedron lies on the face towards the next cell.
+    const TriSurface surface = sphere(0, .0625, {.125, .4375, .625});
+    const PolyMesh mesh = trimmed(box(2, 2, 2), surface, exact(Keep::outside));
+    EXPECT_EQ(mesh.cellCount, 8);
+    EXPECT_NEAR(volumeOf(mesh), 1 - measure(surface).volume, 1e-14);
+}
+
+TEST(TrimLaws, DISABLED_aPartOnTheBoundaryOfTheMeshLeavesNoFlatCellsThere) {
+    const TriSurface surface = cuboid({.0625, 0, .6875}, {.5625, .0625, 1.125});
+    const PolyMesh mesh = trimmed(box(5, 5, 5), surface, exact(Keep::outside));
+    EXPECT_NEAR(volumeOf(mesh), 1 - .5 * .0625 * .3125, 1e-14);
+}
+
 TEST(TrimLaws, finerMeshesComeNearerToThePart) {
     const TriSurface surface = sphere(5, .41, {.5, .5, .5});
     double last = 1;

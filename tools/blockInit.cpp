@@ -7,6 +7,7 @@
 #include "formats/surfaceIo.h"
 #include "libpolymesh/base/error.h"
 #include "libpolymesh/initial/cartesian.h"
+#include "libpolymesh/initial/flatSides.h"
 #include "tools/toolMain.h"
 
 #include <cmath>
@@ -22,7 +23,10 @@ const ToolDescription description{
 const std::vector<Option> options{
     {"surface", "FILE", "put the box round this surface (STL, OBJ, OFF, PLY, also .gz)"},
     {"cellSize", "H", "edge length of the cells round the surface [m]"},
-    {"margin", "M", "least distance of the box from the surface [m]; default: H/4"},
+    {"margin",
+     "M",
+     "least distance of the box from the surface [m]; default: H/4, and then the box is "
+     "shifted so that grid planes keep clear of flat sides of the surface"},
     {"box", "CORNERS", "two corners [m]: \"(x0 y0 z0) (x1 y1 z1)\""},
     {"cells", "COUNTS", "cells of the box in x, y and z: \"(nx ny nz)\""}};
 
@@ -53,7 +57,11 @@ CartesianBox boxRoundSurface(ToolRun& tool) {
     tool.clock.start("read surface");
     const TriSurface surface = readSurface(file);
     tool.say("surface    {}, {} triangles", file.string(), surface.triangleCount());
-    return boxAround(boundingBox(surface.points), cellSize, margin);
+    const Box bounds = boundingBox(surface.points);
+    const CartesianBox box = boxAround(bounds, cellSize, margin);
+    // A margin that the user gives places the planes; else they keep clear of flat sides.
+    if (settings.has("margin")) return box;
+    return clearOfFlatSides(box, bounds, margin, flatSides(surface, cellSize));
 }
 
 CartesianBox boxGiven(const Settings& settings) {

@@ -175,32 +175,21 @@ void MeshEditor::forgetGeometry(Label f) {
 
 const FaceGeometry& MeshEditor::faceGeometry(Label f) {
     if (!faceKnown_[index(f)]) {
-        faceGeometry_[index(f)] = polygonGeometry(mesh_.points, face(f).points);
+        const Polygon& corners = face(f).points;
+        faceGeometry_[index(f)] = polymesh::faceGeometry(
+            mesh_.points, std::span<const Label>(corners.data(), corners.size()));
         faceKnown_[index(f)] = 1;
     }
     return faceGeometry_[index(f)];
 }
 
 CellGeometry MeshEditor::computeCell(Label c) {
-    const auto& faces = cell(c).faces;
-    const Vec3 origin = faceGeometry(faces[0]).centre;
-    Vec3 estimate;
-    for (const Label f : faces)
-        estimate += faceGeometry(f).centre - origin;
-    estimate = estimate / static_cast<double>(faces.size());
-    double volume = 0;
-    Vec3 moment;
-    for (const Label f : faces) {
-        const FaceGeometry& g = faceGeometry(f);
-        const double sign = face(f).owner == c ? 1.0 : -1.0;
-        const Vec3 fromEstimate = g.centre - origin - estimate;
-        const double pyramid = sign * dot(g.area, fromEstimate) / 3.0;
-        volume += pyramid;
-        moment += (0.75 * pyramid) * fromEstimate;
+    boost::container::small_vector<FaceGeometry, 16> outward;
+    for (const Label f : cell(c).faces) {
+        outward.push_back(faceGeometry(f));
+        if (face(f).owner != c) outward.back().area = -outward.back().area;
     }
-    // A cell of no volume has no centre of mass; OpenFOAM too falls back on the estimate.
-    const Vec3 shift = std::abs(volume) > 1e-300 ? moment / volume : Vec3{};
-    return {origin + estimate + shift, volume};
+    return polymesh::cellGeometry(std::span<const FaceGeometry>(outward.data(), outward.size()));
 }
 
 const CellGeometry& MeshEditor::cellGeometry(Label c) {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "libpolymesh/base/rows.h"
-#include "libpolymesh/quality/editGeometry.h"
+#include "libpolymesh/mesh/cellGeometry.h"
 #include "libpolymesh/quality/editMesh.h"
 
 #include <cstdint>

@@ -73,4 +73,9 @@ Polygon unitedPolygon(const Polygon& a, const Polygon& b) {
     return simple && united.size() >= 3 ? united : Polygon{};
 }
 
+double distanceFromLine(const Vec3& p, const Vec3& a, const Vec3& b) {
+    const double length = norm(b - a);
+    return length > 0 ? norm(cross(b - a, p - a)) / length : norm(p - a);
+}
+
 } // namespace polymesh

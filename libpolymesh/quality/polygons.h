@@ -26,4 +26,7 @@ bool hasPoint(const Polygon& polygon, Label p);
 Label cornerAfter(const Polygon& polygon, Label p);
 Label cornerBefore(const Polygon& polygon, Label p);
 
+/// Distance [m] of p from the line through a and b; from a when they coincide.
+double distanceFromLine(const Vec3& p, const Vec3& a, const Vec3& b);
+
 } // namespace polymesh

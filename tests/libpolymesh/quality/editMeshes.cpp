@@ -254,8 +254,8 @@ void rankPoints(EditMesh& mesh) {
         if (faces.size() < 2) continue;
         const EditFace& a = mesh.faces[index(faces[0])];
         const EditFace& b = mesh.faces[index(faces[1])];
-        const Vec3 aNormal = polygonGeometry(mesh.points, a.points).area;
-        const Vec3 bNormal = polygonGeometry(mesh.points, b.points).area;
+        const Vec3 aNormal = faceGeometry(mesh.points, {a.points.data(), a.points.size()}).area;
+        const Vec3 bNormal = faceGeometry(mesh.points, {b.points.data(), b.points.size()}).area;
         const double cosine =
             dot(aNormal, bNormal) / std::max(norm(aNormal) * norm(bNormal), 1e-300);
         if (a.patch == b.patch && cosine > 0.866) continue;

@@ -201,6 +201,28 @@ Label cancelFlatPairs(MeshEditor& editor, Label cell, std::vector<Label>& touche
     return pairs;
 }
 
+namespace {
+
+/// Joins parts that enclose a negative volume, which are voids, to the part with the largest
+/// volume; returns the lowest face of that.
+std::size_t keepVoids(MeshEditor& editor, Label c, FaceSets& sets) {
+    const auto& faces = editor.cell(c).faces;
+    const Vec3 apex = editor.faceGeometry(faces[0]).centre;
+    std::vector<double> volumes(faces.size(), 0); // three times, of the part of each root
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        const FaceGeometry& face = editor.faceGeometry(faces[i]);
+        const double pyramid = dot(face.area, face.centre - apex);
+        volumes[sets.root(i)] += editor.face(faces[i]).owner == c ? pyramid : -pyramid;
+    }
+    const auto main = static_cast<std::size_t>(std::ranges::max_element(volumes) - volumes.begin());
+    const double roundOff = 1e-12 * volumes[main];
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        if (volumes[i] < -roundOff) sets.join(i, main);
+    return sets.root(main);
+}
+
+} // namespace
+
 Label separateParts(MeshEditor& editor, Label c) {
     std::vector<EdgeUse> uses;
     collectEdgeUses(editor.mesh(), c, uses);
@@ -213,12 +235,13 @@ Label separateParts(MeshEditor& editor, Label c) {
         else
             joinWedges(editor, c, {uses.data() + first, last - first}, sets);
     });
+    const std::size_t main = keepVoids(editor, c, sets);
     std::vector<Label> cellOf(faces.size(), -1);
-    cellOf[0] = c;
+    cellOf[main] = c;
     Label added = 0;
-    for (std::size_t i = 1; i < faces.size(); ++i) {
+    for (std::size_t i = 0; i < faces.size(); ++i) {
         const std::size_t root = sets.root(i);
-        if (root == i) {
+        if (root == i && i != main) {
             cellOf[i] = editor.addPartOf(c);
             ++added;
         }

@@ -7,6 +7,9 @@
 #include "libpolymesh/trim/cellShells.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
 #include <span>
 
 namespace polymesh {
@@ -68,6 +71,7 @@ private:
                                     p.z));
     }
 
+    /// Six times the volume of a piece that has no faces of the mesh.
     double signedVolume(Label piece, const Vec3& apex) {
         double volume = 0;
         for (Label i = 0; i < toLabel(polygons_.size()); ++i) {
@@ -81,7 +85,29 @@ private:
         return volume;
     }
 
-    /// Voids (pieces of surface alone that enclose a negative volume) go to the first piece.
+    /// The part of all directions from which a piece is seen from inside: 1 round a point inside
+    /// it, 0 round one outside. Source: van Oosterom and Strackee (1983) for the angle of a
+    /// triangle.
+    double windingOf(Label piece, const Vec3& at) {
+        double sum = 0;
+        for (Label i = 0; i < toLabel(polygons_.size()); ++i) {
+            if (shells_.shellOf(i) != piece) continue;
+            const auto polygon = points(polygons_[index(i)]);
+            const double sign = polygons_[index(i)].isTurned ? -1 : 1;
+            for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
+                const Vec3 a = positions_[index(polygon[0])] - at;
+                const Vec3 b = positions_[index(polygon[k])] - at;
+                const Vec3 c = positions_[index(polygon[k + 1])] - at;
+                const double below = norm(a) * norm(b) * norm(c) + dot(a, b) * norm(c) +
+                                     dot(b, c) * norm(a) + dot(c, a) * norm(b);
+                sum += sign * 2 * std::atan2(dot(a, cross(b, c)), below);
+            }
+        }
+        return sum / (4 * std::numbers::pi);
+    }
+
+    /// Voids (pieces of surface alone that enclose a negative volume) go to the piece that holds
+    /// them.
     void adoptVoids() {
         std::vector<Label> roots;
         std::vector<bool> hasMeshFace(polygons_.size(), false);
@@ -92,9 +118,18 @@ private:
         }
         if (roots.size() < 2) return;
         const Vec3 apex = positions_[index(points(polygons_[0])[0])];
-        for (const Label r : roots) {
-            if (r == roots.front() || hasMeshFace[index(r)] || signedVolume(r, apex) >= 0) continue;
-            shells_.adopt(r, roots.front());
+        const auto isVoid = [&](Label r) {
+            return !hasMeshFace[index(r)] && signedVolume(r, apex) < 0;
+        };
+        std::vector<Label> voids;
+        std::ranges::copy_if(roots, std::back_inserter(voids), isVoid);
+        for (const Label v : voids) {
+            const Vec3& at = positions_[index(points(polygons_[index(v)])[0])];
+            const auto holds = [&](Label r) {
+                return std::ranges::find(voids, r) == voids.end() && windingOf(r, at) > 0.5;
+            };
+            const auto holder = std::ranges::find_if(roots, holds);
+            if (holder != roots.end()) shells_.adopt(v, *holder);
         }
     }
 

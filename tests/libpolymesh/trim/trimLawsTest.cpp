@@ -252,7 +252,7 @@ TEST(TrimLaws, jitteredMeshesAreTrimmedExactly) {
     }
 }
 
-TEST(TrimLaws, DISABLED_aVoidBelongsToThePieceOfTheCellThatHoldsIt) {
+TEST(TrimLaws, aVoidBelongsToThePieceOfTheCellThatHoldsIt) {
     // A wall divides the cell into a thin piece and a thick one; a ball hollows out the thick one.
     const TriSurface wall = cuboid({.1, -1, -1}, {.2, 2, 2});
     const TriSurface ball = sphere(2, .35, {.6, .5, .5});
@@ -272,7 +272,7 @@ TEST(TrimLaws, DISABLED_aVoidBelongsToThePieceOfTheCellThatHoldsIt) {
     }
 }
 
-TEST(TrimLaws, DISABLED_aVoidThatTouchesAFaceOfTheCellStaysAVoid) {
+TEST(TrimLaws, aVoidThatTouchesAFaceOfTheCellStaysAVoid) {
     // The tip of an octahedron lies on the face towards the next cell.
     const TriSurface surface = sphere(0, .0625, {.125, .4375, .625});
     const PolyMesh mesh = trimmed(box(2, 2, 2), surface, exact(Keep::outside));

@@ -215,7 +215,8 @@ std::size_t keepVoids(MeshEditor& editor, Label c, FaceSets& sets) {
         volumes[sets.root(i)] += editor.face(faces[i]).owner == c ? pyramid : -pyramid;
     }
     const auto main = static_cast<std::size_t>(std::ranges::max_element(volumes) - volumes.begin());
-    const double roundOff = 1e-12 * volumes[main];
+    const double size = editor.cell(c).size;
+    const double roundOff = 1e-12 * size * size * size; // parts without size stay parts
     for (std::size_t i = 0; i < faces.size(); ++i)
         if (volumes[i] < -roundOff) sets.join(i, main);
     return sets.root(main);

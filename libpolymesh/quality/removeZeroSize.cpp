@@ -124,6 +124,18 @@ bool mergeFlatCell(MeshEditor& editor, Label c) {
     return false;
 }
 
+/// Removes a flat cell that only has boundary faces: it lies between the surface and the boundary
+/// of the mesh, where they touch. False for a cell with neighbours.
+bool removeLoneCell(MeshEditor& editor, Label c) {
+    const auto faces = editor.cell(c).faces; // a copy: the list is emptied
+    if (!std::all_of(
+            faces.begin(), faces.end(), [&](Label f) { return editor.face(f).isBoundary(); }))
+        return false;
+    for (const Label f : faces)
+        editor.removeFace(f);
+    return true;
+}
+
 void mergeFlatCells(MeshEditor& editor, ZeroSizeCounts& counts) {
     editor.computeGeometry();
     for (Label c = 0; c < editor.cellCount(); ++c) {
@@ -131,7 +143,7 @@ void mergeFlatCells(MeshEditor& editor, ZeroSizeCounts& counts) {
         if (cell.frozen || cell.isRemoved()) continue;
         if (editor.cellGeometry(c).volume > roundOffVolume * cell.size * cell.size * cell.size)
             continue;
-        const bool merged = mergeFlatCell(editor, c);
+        const bool merged = removeLoneCell(editor, c) || mergeFlatCell(editor, c);
         editor.commit();
         ++(merged ? counts.cells : counts.remainingCells);
     }

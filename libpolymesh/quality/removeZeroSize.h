@@ -10,7 +10,7 @@ namespace polymesh {
 struct ZeroSizeCounts {
     Label points = 0;         // points that lay on another point, up to rounding
     Label edges = 0;          // edges that got a point which lay on them
-    Label cells = 0;          // cells without volume, merged into a neighbour
+    Label cells = 0;          // cells without volume, merged into a neighbour or removed
     Label remainingCells = 0; // cells without volume that no neighbour could take
 };
 

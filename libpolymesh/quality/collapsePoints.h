@@ -29,8 +29,9 @@ CollapseCounts collapsePoints(MeshEditor& editor, std::span<const Label> represe
 /// and is removed when there is none.
 void setFaceWalk(MeshEditor& editor, Label face, const Polygon& walk);
 
-/// Cancels flat pairs in the cells, in their neighbours as far as they are touched, and separates
-/// the parts of cells; for cells whose faces have been given new points.
+/// Cancels flat pairs in the cells, in their neighbours as far as they are touched, takes flat
+/// parts out of cells that touch themselves along an edge (a face that lies on a part of another),
+/// and separates the parts of cells; for cells whose faces have been given new points.
 CollapseCounts tidyCells(MeshEditor& editor, std::vector<Label> cells);
 
 } // namespace polymesh

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <deque>
 #include <map>
 #include <optional>
@@ -143,7 +144,9 @@ class RepairSearch {
 public:
     RepairSearch(MeshEditor& editor, Label cell) : editor_(editor), cell_(cell) {}
 
-    std::optional<Proposal> best() {
+    /// The best change; where none makes it better and it is allowed, one that passes the trouble
+    /// on to the next cell.
+    std::optional<Proposal> best(bool mayPassOn) {
         proposeCut(Remedy::cut);
         for (const MergePartner& partner : mergePartners(editor_, cell_))
             if (editor_.cell(partner.cell).faces.size() <= maxFaces)
@@ -153,7 +156,7 @@ public:
             proposeCollapseAll(toLabel(i));
         if (!best_) proposeCut(Remedy::cutAnywhere);
         if (!best_) proposeFaceSplits();
-        return best_ ? best_ : fallback_;
+        return best_ || !mayPassOn ? best_ : fallback_;
     }
 
 private:
@@ -163,7 +166,7 @@ private:
         proposal.severity = after.severity - before.severity;
         if (isGood(proposal) && (!best_ || isBetterThan(proposal, *best_))) best_ = proposal;
         // A narrow strip may go on in the next cell: taking it away here moves the trouble there,
-        // where the next step takes it away too. This ends, as each collapse removes a point.
+        // where the next step takes it away too. A cut may give the point back: the caller counts.
         const bool passesOn =
             proposal.invalid <= 0 && proposal.failures <= 0 && proposal.severity < 0.1;
         if (proposal.remedy == Remedy::collapseAll && passesOn && !fallback_) fallback_ = proposal;
@@ -329,17 +332,30 @@ RepairCounts repairCells(MeshEditor& editor) {
         if (!editor.cell(c).isRemoved() && !editor.isFrozen(c) && isBad(editor, c))
             queue.push_back(c);
     counts.bad = toLabel(queue.size());
+    // Each step lowers, in this order: the passes left, what is invalid, the failures, the severity
+    // by a least amount. The changes left keep the number of steps in proportion.
+    std::int64_t passesLeft = std::int64_t{8} * counts.bad;
+    std::int64_t changesLeft = std::int64_t{50} * counts.bad;
     std::map<Label, int> visits;
-    while (!queue.empty()) {
+    while (!queue.empty() && changesLeft > 0) {
         const Label c = queue.front();
         queue.pop_front();
         if (editor.cell(c).isRemoved() || !isBad(editor, c) || ++visits[c] > maxVisits) continue;
         if (editor.cell(c).faces.size() > maxFaces) continue;
-        const std::optional<Proposal> proposal = RepairSearch(editor, c).best();
-        if (proposal) apply(editor, *proposal, counts, queue);
+        const std::optional<Proposal> proposal = RepairSearch(editor, c).best(passesLeft > 0);
+        if (!proposal) continue;
+        const Label oldCells = editor.cellCount();
+        apply(editor, *proposal, counts, queue);
+        --changesLeft;
+        passesLeft -= !isGood(*proposal);
+        const int soFar = visits[c]; // what c is or becomes a part of has been visited as often
+        for (Label part = oldCells; part < editor.cellCount(); ++part)
+            visits[part] = soFar;
+        if (proposal->remedy == Remedy::merge)
+            visits[proposal->to] = std::max(visits[proposal->to], soFar);
     }
-    for (const auto& [c, count] : visits)
-        counts.left += !editor.cell(c).isRemoved() && isBad(editor, c);
+    for (Label c = 0; c < editor.cellCount(); ++c)
+        counts.left += !editor.cell(c).isRemoved() && !editor.isFrozen(c) && isBad(editor, c);
     return counts;
 }
 

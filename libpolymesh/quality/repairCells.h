@@ -20,8 +20,10 @@ struct RepairCounts {
 /// that are possible (cuts at reflex edges, merges with a neighbour, collapses of an edge,
 /// cuts of a face) the best
 /// is made, as long as it leaves fewer failures, or less severe ones, round it. Edges of the
-/// boundary are collapsed only if the volume hardly changes. Ends when nothing improves any more.
-/// Cost: a look at each cell, about a millisecond for a bad one.
+/// boundary are collapsed only if the volume hardly changes. Where nothing improves, a narrow strip
+/// may be collapsed though that moves the trouble on to the next cell: at most 8 times for each
+/// cell that is bad before. Ends when nothing improves any more, at the latest after 50 changes for
+/// each cell that is bad before. Cost: a look at each cell, about a millisecond for a bad one.
 RepairCounts repairCells(EditMesh& mesh);
 RepairCounts repairCells(MeshEditor& editor);
 

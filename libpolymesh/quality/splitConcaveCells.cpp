@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <deque>
 #include <tuple>
 
@@ -246,10 +247,15 @@ SplitCounts splitConcaveCells(MeshEditor& editor, double tolerance) {
         queue.push_back(c);
         ++counts.concave;
     }
+    const std::int64_t maxCuts = std::int64_t{50} * counts.concave;
     while (!queue.empty()) {
         const Label c = queue.front();
         queue.pop_front();
         if (!isBad(editor, c)) continue;
+        if (counts.cuts >= maxCuts) {
+            ++counts.left;
+            continue;
+        }
         const Label added = cutAtReflexEdge(editor, c, tolerance);
         if (added >= 0) {
             ++counts.cuts;

@@ -30,10 +30,10 @@ struct SplitCounts {
 
 /// Cuts cells that are concave and fail for it (wrong face pyramids, skewness or non-orthogonality
 /// at one of their faces) at their reflex edges with an excess over `tolerance` [rad], into pieces
-/// that are better than the whole; the pieces again where they need it. The faces that a cut
-/// crosses are cut for both cells that share them. Cost: a look at each cell, some tens of
-/// microseconds for a cell to cut. Reference: the paper, section 3.2, with planes in place of its
-/// face criteria.
+/// that are better than the whole; the pieces again where they need it, as long as there are fewer
+/// than 50 cuts for each cell that is concave and fails before. The faces that a cut crosses are
+/// cut for both cells that share them. Cost: a look at each cell, some tens of microseconds for a
+/// cell to cut. Reference: the paper, section 3.2, with planes in place of its face criteria.
 SplitCounts splitConcaveCells(EditMesh& mesh, double tolerance);
 SplitCounts splitConcaveCells(MeshEditor& editor, double tolerance);
 

@@ -25,9 +25,14 @@ Polygon outwardPolygon(const EditFace& face, Label cell) {
     return polygon;
 }
 
+// Every merge judges its cell, so that cells with very many faces (a cell that holds thousands of
+// triangles, kept one by one) would take quadratic time; they stay as they are.
+constexpr std::size_t manyFaces = 64;
+
 /// True when the cell has two faces that might be merged: a cheap test that reads only labels.
 bool hasRepeatedInterface(const MeshEditor& editor, Label c) {
     const auto& faces = editor.cell(c).faces;
+    if (faces.size() > manyFaces) return false;
     for (std::size_t i = 0; i < faces.size(); ++i)
         for (std::size_t j = i + 1; j < faces.size(); ++j)
             if (isSameInterface(editor, faces[i], faces[j], c)) return true;

@@ -9,8 +9,9 @@ namespace polymesh {
 /// Merges faces that lie in one plane: boundary faces of one cell on the same patch, and faces
 /// between the same two cells, that have an edge in common and whose normals differ by at most
 /// `angle` [rad]; 0 asks for exactly coplanar ones (up to rounding). Only where the union is a disc
-/// and no cell gets worse; points that become redundant go. Returns the number of faces that went.
-/// Cost: linear, small constant where there is nothing to merge.
+/// and no cell gets worse; cells with more than 64 faces are passed over; points that become
+/// redundant go. Returns the number of faces that went. Cost: linear, small constant where there is
+/// nothing to merge.
 Label mergeFaces(EditMesh& mesh, double angle);
 Label mergeFaces(MeshEditor& editor, double angle);
 

@@ -18,11 +18,11 @@ Vec3 centroid(const TriSurface& surface, Label t) {
 }
 
 void checkEdges(const TriSurface& surface, SurfaceDefects& defects) {
-    const Rows<EdgeUse> uses = collectEdgeUses(surface);
+    const Rows<SurfaceEdgeUse> uses = collectEdgeUses(surface);
     for (Label lower = 0; lower < uses.size(); ++lower) {
-        forEachEdge(uses[lower], [&](std::span<const EdgeUse> edge) {
+        forEachEdge(uses[lower], [&](std::span<const SurfaceEdgeUse> edge) {
             const auto ascending =
-                static_cast<std::size_t>(std::ranges::count_if(edge, &EdgeUse::ascending));
+                static_cast<std::size_t>(std::ranges::count_if(edge, &SurfaceEdgeUse::ascending));
             const Vec3 middle =
                 0.5 * (surface.points[index(lower)] + surface.points[index(edge.front().upper)]);
             if (edge.size() % 2 == 1)

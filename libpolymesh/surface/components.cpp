@@ -15,14 +15,14 @@ struct Neighbour {
 
 using Neighbours = std::vector<std::array<Neighbour, 3>>; // across each side of each triangle
 
-Neighbours findNeighbours(const TriSurface& surface, const Rows<EdgeUse>& uses) {
+Neighbours findNeighbours(const TriSurface& surface, const Rows<SurfaceEdgeUse>& uses) {
     Neighbours neighbours(surface.triangles.size());
-    const auto set = [&](const EdgeUse& use, const EdgeUse& other) {
+    const auto set = [&](const SurfaceEdgeUse& use, const SurfaceEdgeUse& other) {
         neighbours[index(use.triangle)][static_cast<std::size_t>(use.corner)] = {
             other.triangle, use.ascending == other.ascending};
     };
     for (Label lower = 0; lower < uses.size(); ++lower) {
-        forEachEdge(uses[lower], [&](std::span<const EdgeUse> edge) {
+        forEachEdge(uses[lower], [&](std::span<const SurfaceEdgeUse> edge) {
             if (edge.size() != 2) return;
             set(edge[0], edge[1]);
             set(edge[1], edge[0]);
@@ -57,7 +57,7 @@ void addComponent(const Neighbours& neighbours, Label seed, Components& componen
 
 } // namespace
 
-Components findComponents(const TriSurface& surface, const Rows<EdgeUse>& uses) {
+Components findComponents(const TriSurface& surface, const Rows<SurfaceEdgeUse>& uses) {
     const Neighbours neighbours = findNeighbours(surface, uses);
     Components components;
     components.ofTriangle.assign(surface.triangles.size(), -1);

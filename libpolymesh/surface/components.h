@@ -18,6 +18,6 @@ struct Components {
 };
 
 /// Requires: `uses` of this surface. O(n).
-Components findComponents(const TriSurface& surface, const Rows<EdgeUse>& uses);
+Components findComponents(const TriSurface& surface, const Rows<SurfaceEdgeUse>& uses);
 
 } // namespace polymesh

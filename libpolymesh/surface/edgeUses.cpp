@@ -22,8 +22,8 @@ void forEachSide(const TriSurface& surface, Body&& body) {
 
 } // namespace
 
-Rows<EdgeUse> collectEdgeUses(const TriSurface& surface) {
-    Rows<EdgeUse> uses;
+Rows<SurfaceEdgeUse> collectEdgeUses(const TriSurface& surface) {
+    Rows<SurfaceEdgeUse> uses;
     uses.offsets.assign(surface.points.size() + 1, 0);
     forEachSide(surface, [&](Label from, Label to, Label, std::int8_t) {
         ++uses.offsets[index(std::min(from, to)) + 1];
@@ -37,7 +37,7 @@ Rows<EdgeUse> collectEdgeUses(const TriSurface& surface) {
         uses.values[index(slot)] = {std::max(from, to), t, corner, from < to};
     });
     parallelFor(uses.size(), [&](Label point) {
-        std::ranges::sort(uses[point], [](const EdgeUse& a, const EdgeUse& b) {
+        std::ranges::sort(uses[point], [](const SurfaceEdgeUse& a, const SurfaceEdgeUse& b) {
             return a.upper != b.upper ? a.upper < b.upper : a.triangle < b.triangle;
         });
     });

@@ -11,7 +11,7 @@
 namespace polymesh {
 
 /// One side of a triangle, filed under its lower point.
-struct EdgeUse {
+struct SurfaceEdgeUse {
     Label upper;        // the higher of the side's two points
     Label triangle;     //
     std::int8_t corner; // the side runs from this corner to the next
@@ -20,11 +20,11 @@ struct EdgeUse {
 
 /// All sides of a surface's triangles, one row for each point: the sides of which it is the lower
 /// point, sorted by (upper, triangle).
-Rows<EdgeUse> collectEdgeUses(const TriSurface& surface);
+Rows<SurfaceEdgeUse> collectEdgeUses(const TriSurface& surface);
 
 /// Calls body(uses) for the uses of each undirected edge in a row of collectEdgeUses.
 template<class Body>
-void forEachEdge(std::span<const EdgeUse> row, Body&& body) {
+void forEachEdge(std::span<const SurfaceEdgeUse> row, Body&& body) {
     for (std::size_t first = 0; first < row.size();) {
         std::size_t last = first + 1;
         while (last < row.size() && row[last].upper == row[first].upper)

@@ -14,7 +14,7 @@ namespace polymesh {
 
 namespace {
 
-using Uses = std::vector<EdgeUse>;
+using Uses = std::vector<SurfaceEdgeUse>;
 
 /// Orders the triangles round an edge by angle, counted right-handedly about lower -> upper.
 class AngularOrder {
@@ -26,17 +26,19 @@ public:
 
     /// Puts triangles without an angle last, by label.
     void sort(Uses& uses) {
-        const auto flat = std::stable_partition(uses.begin(), uses.end(), [&](const EdgeUse& use) {
-            return !areCollinear(lower_, upper_, apex(use));
-        });
+        const auto flat =
+            std::stable_partition(uses.begin(), uses.end(), [&](const SurfaceEdgeUse& use) {
+                return !areCollinear(lower_, upper_, apex(use));
+            });
         if (flat == uses.begin()) return;
         reference_ = apex(uses.front());
-        std::sort(
-            uses.begin(), flat, [&](const EdgeUse& a, const EdgeUse& b) { return isBefore(a, b); });
+        std::sort(uses.begin(), flat, [&](const SurfaceEdgeUse& a, const SurfaceEdgeUse& b) {
+            return isBefore(a, b);
+        });
     }
 
 private:
-    const Vec3& apex(const EdgeUse& use) const {
+    const Vec3& apex(const SurfaceEdgeUse& use) const {
         return surface_.corner(use.triangle, (use.corner + 2) % 3);
     }
 
@@ -47,7 +49,7 @@ private:
         return sideOfLine(lower_, upper_, reference_, p) > 0 ? 0 : 2;
     }
 
-    bool isBefore(const EdgeUse& a, const EdgeUse& b) const {
+    bool isBefore(const SurfaceEdgeUse& a, const SurfaceEdgeUse& b) const {
         const int sectorA = sector(apex(a));
         const int sectorB = sector(apex(b));
         if (sectorA != sectorB) return sectorA < sectorB;
@@ -87,19 +89,19 @@ void matchRound(Uses& uses) {
 }
 
 /// The uses of one edge as partners, see matchRound.
-Uses pairUses(const TriSurface& surface, Label lower, std::span<const EdgeUse> row) {
+Uses pairUses(const TriSurface& surface, Label lower, std::span<const SurfaceEdgeUse> row) {
     Uses uses(row.begin(), row.end());
     AngularOrder(surface, lower, row.front().upper).sort(uses);
     matchRound(uses);
     return uses;
 }
 
-bool isBalanced(std::span<const EdgeUse> uses) {
-    const auto ascending = std::ranges::count_if(uses, &EdgeUse::ascending);
+bool isBalanced(std::span<const SurfaceEdgeUse> uses) {
+    const auto ascending = std::ranges::count_if(uses, &SurfaceEdgeUse::ascending);
     return 2 * static_cast<std::size_t>(ascending) == uses.size();
 }
 
-bool areClosed(const Rows<EdgeUse>& uses) {
+bool areClosed(const Rows<SurfaceEdgeUse>& uses) {
     return parallelReduce(
         uses.size(),
         true,
@@ -111,7 +113,7 @@ bool areClosed(const Rows<EdgeUse>& uses) {
         [](bool a, bool b) { return a && b; });
 }
 
-void requireClosed(const TriSurface& surface, const Rows<EdgeUse>& uses) {
+void requireClosed(const TriSurface& surface, const Rows<SurfaceEdgeUse>& uses) {
     if (areClosed(uses)) return;
     const auto open = openEdges(surface);
     const Vec3& a = surface.points[index(open.front()[0])];
@@ -128,8 +130,11 @@ void requireClosed(const TriSurface& surface, const Rows<EdgeUse>& uses) {
                     b.z));
 }
 
-void addEdge(
-    SurfaceEdges& edges, Label label, Label lower, const EdgeUse& up, const EdgeUse& down) {
+void addEdge(SurfaceEdges& edges,
+             Label label,
+             Label lower,
+             const SurfaceEdgeUse& up,
+             const SurfaceEdgeUse& down) {
     edges.edges[index(label)] = {lower, up.upper, up.triangle, down.triangle};
     edges.ofTriangle[index(up.triangle)][static_cast<std::size_t>(up.corner)] = label;
     edges.ofTriangle[index(down.triangle)][static_cast<std::size_t>(down.corner)] = label;
@@ -138,14 +143,14 @@ void addEdge(
 } // namespace
 
 SurfaceEdges pairEdges(const TriSurface& surface) {
-    const Rows<EdgeUse> uses = collectEdgeUses(surface);
+    const Rows<SurfaceEdgeUse> uses = collectEdgeUses(surface);
     requireClosed(surface, uses);
     SurfaceEdges edges;
     edges.edges.resize(uses.values.size() / 2);
     edges.ofTriangle.resize(surface.triangles.size());
     parallelFor(uses.size(), [&](Label lower) {
         Label label = uses.offsets[index(lower)] / 2; // every earlier use has its partner
-        forEachEdge(uses[lower], [&](std::span<const EdgeUse> row) {
+        forEachEdge(uses[lower], [&](std::span<const SurfaceEdgeUse> row) {
             if (row.size() == 2) {
                 const std::size_t up = row[0].ascending ? 0 : 1;
                 addEdge(edges, label++, lower, row[up], row[1 - up]);
@@ -160,12 +165,12 @@ SurfaceEdges pairEdges(const TriSurface& surface) {
 }
 
 std::vector<std::array<Label, 2>> openEdges(const TriSurface& surface) {
-    const Rows<EdgeUse> uses = collectEdgeUses(surface);
+    const Rows<SurfaceEdgeUse> uses = collectEdgeUses(surface);
     std::vector<std::array<Label, 2>> open;
     for (Label lower = 0; lower < uses.size(); ++lower) {
-        forEachEdge(uses[lower], [&](std::span<const EdgeUse> row) {
+        forEachEdge(uses[lower], [&](std::span<const SurfaceEdgeUse> row) {
             const auto size = static_cast<std::ptrdiff_t>(row.size());
-            const auto excess = 2 * std::ranges::count_if(row, &EdgeUse::ascending) - size;
+            const auto excess = 2 * std::ranges::count_if(row, &SurfaceEdgeUse::ascending) - size;
             const std::array<Label, 2> up{lower, row.front().upper};
             const std::array<Label, 2> down{row.front().upper, lower};
             open.insert(

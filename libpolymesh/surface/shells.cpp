@@ -50,10 +50,10 @@ public:
             isOpen_[c] = components.isOrientable[c] != 0 ? 0 : 1;
     }
 
-    void addEdge(std::span<const EdgeUse> edge) {
+    void addEdge(std::span<const SurfaceEdgeUse> edge) {
         excess_.clear();
         int total = 0;
-        for (const EdgeUse& use : edge) {
+        for (const SurfaceEdgeUse& use : edge) {
             const int sign = use.ascending ? 1 : -1;
             excess_[components_.ofTriangle[index(use.triangle)]] += sign;
             total += sign;
@@ -192,11 +192,11 @@ bool contains(const Box& outer, const Box& inner) {
 } // namespace
 
 Shells findShells(const TriSurface& surface) {
-    const Rows<EdgeUse> uses = collectEdgeUses(surface);
+    const Rows<SurfaceEdgeUse> uses = collectEdgeUses(surface);
     const Components components = findComponents(surface, uses);
     Closing closing(components);
     for (Label lower = 0; lower < uses.size(); ++lower)
-        forEachEdge(uses[lower], [&](std::span<const EdgeUse> edge) {
+        forEachEdge(uses[lower], [&](std::span<const SurfaceEdgeUse> edge) {
             const bool isPlain = edge.size() == 2 && edge[0].ascending != edge[1].ascending;
             if (!isPlain) closing.addEdge(edge);
         });

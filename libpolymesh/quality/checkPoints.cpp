@@ -49,8 +49,10 @@ std::vector<Label> nearPoints(std::span<const Vec3> points, double squaredLimit)
     std::sort(sorted.begin(), sorted.end());
     const double window = 1.01 * std::sqrt(squaredLimit);
     const auto isNear = [&](const Vec3& a, const Vec3& b) {
-        const auto [low, high] = std::minmax(squaredNorm(a), squaredNorm(b));
-        return low > high - squaredLimit && squaredNorm(a - b) < squaredLimit;
+        const double atA = squaredNorm(a);
+        const double atB = squaredNorm(b);
+        return std::min(atA, atB) > std::max(atA, atB) - squaredLimit &&
+               squaredNorm(a - b) < squaredLimit;
     };
     std::vector<Label> near;
     for (std::size_t i = 0; i < sorted.size(); ++i)

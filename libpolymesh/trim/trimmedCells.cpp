@@ -124,13 +124,32 @@ private:
         std::vector<Label> voids;
         std::ranges::copy_if(roots, std::back_inserter(voids), isVoid);
         for (const Label v : voids) {
-            const Vec3& at = positions_[index(points(polygons_[index(v)])[0])];
-            const auto holds = [&](Label r) {
-                return std::ranges::find(voids, r) == voids.end() && windingOf(r, at) > 0.5;
-            };
-            const auto holder = std::ranges::find_if(roots, holds);
-            if (holder != roots.end()) shells_.adopt(v, *holder);
+            const Vec3 at = middleOf(v);
+            Label holder = -1;
+            double most = 0.01;
+            for (const Label r : roots) {
+                if (std::ranges::find(voids, r) != voids.end()) continue;
+                if (const double winding = windingOf(r, at); winding > most) {
+                    most = winding;
+                    holder = r;
+                }
+            }
+            if (holder >= 0) shells_.adopt(v, holder);
         }
+    }
+
+    /// Mean of the polygons' means: a point of a void that touches its holder lies on neither.
+    Vec3 middleOf(Label piece) {
+        Vec3 sum;
+        double count = 0;
+        for (Label i = 0; i < toLabel(polygons_.size()); ++i) {
+            if (shells_.shellOf(i) != piece) continue;
+            for (const Label p : points(polygons_[index(i)])) {
+                sum += positions_[index(p)];
+                ++count;
+            }
+        }
+        return sum / count;
     }
 
     Label numberPieces() {

@@ -280,6 +280,12 @@ TEST(TrimLaws, aVoidThatTouchesAFaceOfTheCellStaysAVoid) {
     EXPECT_NEAR(volumeOf(mesh), 1 - measure(surface).volume, 1e-14);
 }
 
+TEST(TrimLaws, aVoidOnAFaceOfTheCellStaysAVoid) {
+    const TriSurface surface = cuboid({.75, .5, .625}, {.8125, .8125, .6875});
+    const PolyMesh mesh = trimmed(box(2, 2, 2), surface, exact(Keep::outside));
+    EXPECT_NEAR(volumeOf(mesh), 1 - measure(surface).volume, 1e-14);
+}
+
 TEST(TrimLaws, aPartOnTheBoundaryOfTheMeshLeavesNoFlatCellsThere) {
     const TriSurface surface = cuboid({.0625, 0, .6875}, {.5625, .0625, 1.125});
     const PolyMesh mesh = trimmed(box(5, 5, 5), surface, exact(Keep::outside));

@@ -23,9 +23,9 @@ std::vector<MergePartner> mergePartners(MeshEditor& editor, Label cell);
 /// cell would not be a ball; the caller then undoes. Cost: what is round the two cells.
 bool mergeCells(MeshEditor& editor, Label from, Label into);
 
-/// Merges `cell` into the partner with which it makes the least concave cell, among those that leave
-/// the cells round it no worse than before; of equal ones the one with the largest common area.
-/// Returns the partner, or -1 when every one was refused.
+/// Merges `cell` into the partner with which it makes the least concave cell, among those that
+/// leave the cells round it no worse than before; of equal ones the one with the largest common
+/// area. Returns the partner, or -1 when every one was refused.
 Label mergeIntoBestPartner(MeshEditor& editor, Label cell);
 
 /// Merges every cell with a volume below minVolume times the cube of its size into a neighbour,

@@ -153,14 +153,13 @@ struct Collected {
     Label holeCount = 0;
 };
 
-void addFacets(
-    const Probe& probe, const Arrangement& arrangement, Label first, Label last, Walk& walk) {
+/// Adds the segments of the facets [first, last).
+void addSegments(const Arrangement& arrangement, Label first, Label last, Walk& walk) {
     for (Label k = first; k < last; ++k) {
         const auto row = arrangement.segments[k];
         walk.segments.insert(walk.segments.end(), row.begin(), row.end());
     }
     if (last - first > 1) std::ranges::sort(walk.segments, {}, &Segment::from);
-    static_cast<void>(probe);
 }
 
 void emit(Walk& walk, const PointPositions& positions, const Vec3& normal, Collected& out) {
@@ -189,8 +188,7 @@ void setFaceWalk(const Probe& probe, const Arrangement& arrangement, Label f, Wa
     const std::span<const Label> edges{probe.faceEdges.data() + probe.faceNodes.offsets[index(f)],
                                        nodes.size()};
     addOutline(probe, arrangement, nodes, edges, walk);
-    addFacets(
-        probe, arrangement, probe.facetOffsets[index(f)], probe.facetOffsets[index(f) + 1], walk);
+    addSegments(arrangement, probe.facetOffsets[index(f)], probe.facetOffsets[index(f) + 1], walk);
 }
 
 /// Walks each facet of a fan by itself: used where a closed curve runs on a face that is not plane,
@@ -207,7 +205,7 @@ void walkByFacets(const Probe& probe,
         const std::span<const Label> edges{
             probe.facetEdges.data() + probe.facetNodes.offsets[index(k)], nodes.size()};
         addOutline(probe, arrangement, nodes, edges, walk);
-        addFacets(probe, arrangement, k, k + 1, walk);
+        addSegments(arrangement, k, k + 1, walk);
         run(walk, positions);
         for (const OutlineItem& item : walk.outline)
             if (!item.isNode) out.needed.push_back(item.point);

@@ -4,7 +4,6 @@
 
 #include "libpolymesh/quality/cellTopology.h"
 #include "libpolymesh/quality/polygons.h"
-#include "libpolymesh/quality/removeZeroSize.h"
 
 #include <algorithm>
 #include <array>
@@ -27,56 +26,109 @@ PointRank rankOnEdge(const MeshEditor& editor, Label a, Label b) {
     return bound || border ? PointRank::feature : PointRank::surface;
 }
 
+/// Puts a point that no face uses yet into an edge, for all faces round it. False when the edge
+/// cannot take one. Unlike insertPointInEdge nothing can touch itself by this.
+bool breakEdge(MeshEditor& editor, Label a, Label b, Label p) {
+    if (editor.rank(a) == PointRank::fixed && editor.rank(b) == PointRank::fixed) return false;
+    boost::container::small_vector<Label, 8> faces;
+    for (const Label f : editor.facesOfPoint(a))
+        if (hasEdge(editor.face(f).points, a, b)) faces.push_back(f);
+    for (const Label f : faces) {
+        if (editor.isFrozenFace(f)) return false;
+        Polygon points = editor.face(f).points;
+        const auto at = std::find(points.begin(), points.end(), a);
+        points.insert(cornerAfter(points, a) == b ? at + 1 : at, p);
+        editor.setFacePoints(f, points);
+    }
+    return !faces.empty();
+}
+
 /// Turns the corners on edges into points of the mesh.
 bool placeCorners(MeshEditor& editor, CellLoop& loop) {
     for (LoopCorner& corner : loop) {
         if (corner.point >= 0) continue;
         const PointRank rank = rankOnEdge(editor, corner.low, corner.high);
         corner.point = editor.addPoint(corner.position, rank);
-        if (!insertPointInEdge(editor, corner.low, corner.high, corner.point)) return false;
+        if (!breakEdge(editor, corner.low, corner.high, corner.point)) return false;
     }
     return true;
 }
 
+bool cellHasEdge(const MeshEditor& editor, Label cell, Label a, Label b) {
+    const auto faces = editor.facesOfPoint(a);
+    return std::any_of(faces.begin(), faces.end(), [&](Label f) {
+        const EditFace& face = editor.face(f);
+        return (face.owner == cell || face.neighbour == cell) && hasEdge(face.points, a, b);
+    });
+}
+
+/// Cuts the faces along the chords of the loop. A chord that is an edge of a cell beyond already
+/// would pinch that cell.
 bool cutFaces(MeshEditor& editor, Label cell, const CellLoop& loop) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
         if (loop[i].faceToNext < 0) continue;
         const Label a = loop[i].point;
         const Label b = loop[(i + 1) % loop.size()].point;
-        const auto faces = editor.cell(cell).faces; // a copy: splitFace changes the list
+        if (cellHasEdge(editor, cell, a, b)) return false;
         // The face may have been cut before: then it is one of its parts.
         Label found = -1;
-        for (const Label f : faces) {
-            const Polygon& polygon = editor.face(f).points;
-            if (!hasPoint(polygon, a) || !hasPoint(polygon, b)) continue;
-            if (hasEdge(polygon, a, b)) return false;
-            if (found < 0 || f == loop[i].faceToNext) found = f;
+        for (const Label f : editor.facesOfPoint(a)) {
+            const EditFace& face = editor.face(f);
+            if ((face.owner != cell && face.neighbour != cell) || !hasPoint(face.points, b))
+                continue;
+            if (f == loop[i].faceToNext || found < 0 || (found != loop[i].faceToNext && f < found))
+                found = f;
         }
-        if (found < 0 || !splitFace(editor, found, a, b)) return false;
+        if (found < 0) return false;
+        const Label other = editor.otherCell(found, cell);
+        if (other >= 0 && cellHasEdge(editor, other, a, b)) return false;
+        if (!splitFace(editor, found, a, b)) return false;
     }
     return true;
 }
 
-bool isLoopEdge(const Polygon& loop, const EdgeUse& use) {
-    return hasEdge(loop, use.low, use.high);
+/// True when no point comes twice.
+bool isSimple(const Polygon& loop) {
+    Polygon sorted = loop;
+    std::sort(sorted.begin(), sorted.end());
+    return std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
 }
 
-/// The faces of the cell on the side of the loop where its first face is not.
+/// The faces of the cell on the side of the loop where its first face is not. Empty unless each
+/// edge has two faces and the loop runs along edges of the cell.
 std::vector<Label> facesBeyond(const MeshEditor& editor, Label cell, const Polygon& loop) {
-    std::vector<EdgeUse> uses;
+    thread_local std::vector<EdgeUse> uses;
+    thread_local std::vector<std::pair<Label, Label>> joined; // faces with a common edge, both ways
+    thread_local std::vector<std::pair<Label, Label>> loopEdges;
     collectEdgeUses(editor.mesh(), cell, uses);
-    std::vector<Label> reached{editor.cell(cell).faces[0]};
-    for (std::size_t next = 0; next < reached.size(); ++next)
-        for (std::size_t i = 0; i + 1 < uses.size(); i += 2) {
-            if (isLoopEdge(loop, uses[i])) continue;
-            for (const auto& [from, to] : {std::pair{i, i + 1}, std::pair{i + 1, i}})
-                if (uses[from].face == reached[next] &&
-                    std::find(reached.begin(), reached.end(), uses[to].face) == reached.end())
-                    reached.push_back(uses[to].face);
+    loopEdges.clear();
+    for (std::size_t i = 0; i < loop.size(); ++i)
+        loopEdges.push_back(std::minmax({loop[i], loop[(i + 1) % loop.size()]}));
+    std::sort(loopEdges.begin(), loopEdges.end());
+    joined.clear();
+    std::size_t met = 0;
+    for (std::size_t i = 0; i + 1 < uses.size(); i += 2) {
+        const std::pair<Label, Label> edge{uses[i].low, uses[i].high};
+        if (edge != std::pair{uses[i + 1].low, uses[i + 1].high}) return {};
+        if (std::binary_search(loopEdges.begin(), loopEdges.end(), edge)) {
+            ++met;
+            continue;
         }
-    std::vector<Label> beyond;
-    for (const Label f : editor.cell(cell).faces)
-        if (std::find(reached.begin(), reached.end(), f) == reached.end()) beyond.push_back(f);
+        joined.emplace_back(uses[i].face, uses[i + 1].face);
+        joined.emplace_back(uses[i + 1].face, uses[i].face);
+    }
+    if (met != loop.size()) return {};
+    std::sort(joined.begin(), joined.end());
+    std::vector<Label> beyond(editor.cell(cell).faces.begin(), editor.cell(cell).faces.end());
+    std::vector<Label> reached{beyond.front()};
+    std::sort(beyond.begin(), beyond.end());
+    std::erase(beyond, reached.front());
+    for (std::size_t next = 0; next < reached.size(); ++next)
+        for (auto at = std::lower_bound(
+                 joined.begin(), joined.end(), std::pair{reached[next], Label{-1}});
+             at != joined.end() && at->first == reached[next];
+             ++at)
+            if (std::erase(beyond, at->second) > 0) reached.push_back(at->second);
     return beyond;
 }
 
@@ -108,7 +160,9 @@ Label cutCell(MeshEditor& editor, Label cell, const CellLoop& wanted) {
     EditFace cut;
     for (const LoopCorner& corner : loop)
         cut.points.push_back(corner.point);
-    if (cellShape(editor.mesh(), cell) != CellShape::ball) return -1;
+    if (!isSimple(cut.points)) return -1;
+    // A closed curve without repeated points cuts the surface of a ball into two discs, so that
+    // with it as a face both sides are balls again.
     const std::vector<Label> beyond = facesBeyond(editor, cell, cut.points);
     if (beyond.size() < 3 || beyond.size() + 3 > editor.cell(cell).faces.size()) return -1;
     const Label added = editor.addPartOf(cell);
@@ -124,8 +178,7 @@ Label cutCell(MeshEditor& editor, Label cell, const CellLoop& wanted) {
             break;
         }
     editor.addFace(cut);
-    const std::array<Label, 2> parts{cell, added};
-    return allBalls(editor, parts) ? added : -1;
+    return added;
 }
 
 } // namespace polymesh

@@ -43,7 +43,8 @@ std::optional<CellLoop> findCuttingLoop(
 
 /// Cuts a cell along a loop: new points go into their edges and faces are cut, for all cells that
 /// share them; then the loop becomes a face between the cell and a new one. Returns the new cell;
-/// -1 when the loop does not cut the cell in two, and the caller then undoes.
+/// -1 when the loop does not cut the cell in two or would pinch a cell, and the caller then undoes.
+/// Requires: the cells that share the faces are balls; then they and both parts are balls after it.
 Label cutCell(MeshEditor& editor, Label cell, const CellLoop& loop);
 
 /// Cuts a face from one of its points to another that is not next to it. False when a part would

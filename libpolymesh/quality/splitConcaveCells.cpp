@@ -89,7 +89,7 @@ std::optional<Cut> tryCut(MeshEditor& editor,
     const MeshEditor::Mark mark = editor.mark();
     std::optional<Cut> cut;
     const Label added = cutCell(editor, cell, loop);
-    if (added >= 0 && allBalls(editor, region) && editor.cellGeometry(added).volume > 0 &&
+    if (added >= 0 && editor.cellGeometry(added).volume > 0 &&
         editor.cellGeometry(cell).volume > 0) {
         std::vector<Label> all(region.begin(), region.end());
         all.push_back(added);
@@ -101,6 +101,18 @@ std::optional<Cut> tryCut(MeshEditor& editor,
     return cut;
 }
 
+/// True when two loops have the same corners, wherever they start and whichever way they run.
+bool isSameLoop(const CellLoop& a, const CellLoop& b) {
+    const auto isSame = [](const LoopCorner& p, const LoopCorner& q) {
+        if (p.point >= 0 || q.point >= 0) return p.point == q.point;
+        return p.low == q.low && p.high == q.high && p.position == q.position;
+    };
+    return a.size() == b.size() && std::all_of(a.begin(), a.end(), [&](const LoopCorner& p) {
+               return std::any_of(
+                   b.begin(), b.end(), [&](const LoopCorner& q) { return isSame(p, q); });
+           });
+}
+
 /// All cuts that the planes at the reflex edges of a cell allow.
 std::vector<Cut>
 possibleCuts(MeshEditor& editor, Label cell, double tolerance, std::span<const Label> region) {
@@ -108,13 +120,21 @@ possibleCuts(MeshEditor& editor, Label cell, double tolerance, std::span<const L
     constexpr std::size_t maxFaces = 64; // beyond, the surface is too fine for the cells: no hope
     std::vector<Cut> cuts;
     if (editor.cell(cell).faces.size() > maxFaces) return cuts;
+    std::vector<CellLoop> tried; // several planes may give one loop
+    const auto isNew = [&](const CellLoop& loop) {
+        const bool known = std::any_of(tried.begin(), tried.end(), [&](const CellLoop& other) {
+            return isSameLoop(loop, other);
+        });
+        if (!known) tried.push_back(loop);
+        return !known;
+    };
     const std::vector<ReflexEdge> reflex = reflexEdges(editor, cell, tolerance);
     for (std::size_t i = 0; i < std::min(reflex.size(), maxEdges); ++i) {
         const EdgeList forbidden = forbiddenEdges(editor, reflex[i], reflex);
         for (const EdgePlane& plane : planesAt(editor, cell, reflex[i]))
             for (const double snap : {0.25, 0.05}) {
                 const auto loop = findCuttingLoop(editor, cell, plane, snap, forbidden);
-                if (!loop) continue;
+                if (!loop || !isNew(*loop)) continue;
                 auto cut = tryCut(editor, cell, *loop, tolerance, region);
                 if (cut) cuts.push_back(std::move(*cut));
             }

@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: The polymesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/mpsSplitReport.h"
+
+#include "formats/foam/sets.h"
+#include "libpolymesh/base/error.h"
+#include "libpolymesh/mesh/cellGeometry.h"
+#include "libpolymesh/mesh/topology.h"
+#include "libpolymesh/mesh/validate.h"
+#include "libpolymesh/quality/standardShape.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace polymesh::tools {
+
+namespace {
+
+constexpr std::size_t shownCells = 5;
+constexpr const char* invertedSet = "invertedParts";
+
+double sumOf(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+std::string shown(const Vec3& p) {
+    return fmt::format("({:.6g} {:.6g} {:.6g})", p.x, p.y, p.z);
+}
+
+std::vector<InvertedCell> invertedOf(const PolyMesh& mesh, const SubdivisionPlan& plan) {
+    const DividedMesh divided{mesh, plan.edges, plan.cellFaces};
+    CellCorners corners;
+    std::vector<InvertedCell> cells;
+    for (const Label cell : plan.inverted) {
+        corners.load(divided, cell);
+        cells.push_back({cell,
+                         plan.points[index(plan.layout.firstCell + cell)],
+                         leastScaledJacobian(plan.parts(corners, cell))});
+    }
+    std::ranges::stable_sort(cells, {}, &InvertedCell::jacobian);
+    return cells;
+}
+
+void reportInverted(ToolRun& tool, const MpsFigures& figures) {
+    tool.report["invertedCells"] = figures.inverted.size();
+    nlohmann::ordered_json worst = nlohmann::ordered_json::array();
+    for (std::size_t i = 0; i < std::min(shownCells, figures.inverted.size()); ++i) {
+        const auto& [cell, centre, jacobian] = figures.inverted[i];
+        worst.push_back({{"cell", cell},
+                         {"centre", {centre.x, centre.y, centre.z}},
+                         {"scaledJacobian", jacobian}});
+    }
+    tool.report["worst"] = worst;
+    if (figures.inverted.empty()) return;
+    tool.say("inverted   {} cells could not be divided without a part that is inverted or flat; "
+             "the worst:",
+             figures.inverted.size());
+    for (std::size_t i = 0; i < worst.size(); ++i)
+        tool.say("           cell {} at {} m, scaled Jacobian {:.3g}",
+                 figures.inverted[i].cell,
+                 shown(figures.inverted[i].centre),
+                 figures.inverted[i].jacobian);
+    foam::writeSet(tool.meshDir(), foam::SetKind::cell, invertedSet, figures.invertedParts);
+    tool.say("           their parts are in the cell set {}; finer cells there, or trimSurface "
+             "-concave split,",
+             invertedSet);
+    tool.say("           make them convex");
+}
+
+[[noreturn]] void refuse(const ToolRun& tool,
+                         const std::string& what,
+                         const std::string& set,
+                         const std::vector<Label>& cells) {
+    foam::writeSet(tool.meshDir(), foam::SetKind::cell, set, cells);
+    throw InputError(fmt::format("{}: {}; all are in the cell set {}; mend the mesh first "
+                                 "(checkMesh says more)",
+                                 tool.meshDir().string(),
+                                 what,
+                                 set));
+}
+
+} // namespace
+
+MpsFigures figuresOf(const PolyMesh& mesh, const SubdivisionPlan& plan) {
+    MpsFigures figures{mesh.cellCount,
+                       sumOf(computeGeometry(mesh, plan.cellFaces).cellVolumes),
+                       demandedCounts(mesh),
+                       {plan.hexahedra, plan.pyramids},
+                       invertedOf(mesh, plan),
+                       {}};
+    for (const Label cell : plan.inverted)
+        for (Label part = plan.firstPart[index(cell)]; part < plan.firstPart[index(cell) + 1];
+             ++part)
+            figures.invertedParts.push_back(part);
+    return figures;
+}
+
+void refuseInvalid(ToolRun& tool, const PolyMesh& mesh) {
+    const std::vector<Defect> defects = validate(mesh);
+    std::vector<Label> open;
+    for (const Defect& defect : defects)
+        if (defect.law == 4) open.push_back(defect.element);
+    if (!open.empty())
+        refuse(tool,
+               fmt::format("{} cells are not closed: {}", open.size(), defects.front().message),
+               "openCells",
+               open);
+    const std::vector<double> volumes = computeGeometry(mesh).cellVolumes;
+    std::vector<Label> inverted;
+    for (Label cell = 0; cell < mesh.cellCount; ++cell)
+        if (!(volumes[index(cell)] > 0)) inverted.push_back(cell);
+    if (!inverted.empty())
+        refuse(tool,
+               fmt::format("{} cells are inverted or without volume, the first is {}",
+                           inverted.size(),
+                           inverted.front()),
+               "invertedCells",
+               inverted);
+    require(defects.empty(), "{}: {}", tool.meshDir().string(), defects.front().message);
+}
+
+bool reportSplit(ToolRun& tool, const MpsFigures& figures, const PolyMesh& result) {
+    const Rows<Label> faces = cellFaces(result);
+    const ShapeCounts shapes = countShapes(result, faces);
+    const Label hexahedra = shapes[StandardShape::hexahedron];
+    const Label pyramids = shapes[StandardShape::pyramid];
+    if (hexahedra != figures.demanded.hexahedra || pyramids != figures.demanded.pyramids ||
+        hexahedra + pyramids != result.cellCount)
+        throw WorkError(fmt::format("the division has {} hexahedra and {} pyramids of {} cells, "
+                                    "where theory demands {} and {}",
+                                    hexahedra,
+                                    pyramids,
+                                    result.cellCount,
+                                    figures.demanded.hexahedra,
+                                    figures.demanded.pyramids));
+    const double volume = sumOf(computeGeometry(result, faces).cellVolumes);
+    tool.clock.stop();
+    tool.say("cells      {} divided into {}: {} hexahedra and {} pyramids ({:.2f} %)",
+             figures.cells,
+             result.cellCount,
+             hexahedra,
+             pyramids,
+             100.0 * pyramids / std::max<Label>(1, result.cellCount));
+    tool.say("           as theory demands: one for each node of valence 3, 2v for each other one");
+    tool.say("volume     {:.9g} m^3, {:.2g} of it off that of the undivided mesh",
+             volume,
+             std::abs(volume / figures.volume - 1));
+    tool.report["cells"] = result.cellCount;
+    tool.report["hexahedra"] = hexahedra;
+    tool.report["pyramids"] = pyramids;
+    tool.report["demandedHexahedra"] = figures.demanded.hexahedra;
+    tool.report["demandedPyramids"] = figures.demanded.pyramids;
+    tool.report["dividedCells"] = figures.cells;
+    tool.report["volume"] = volume;
+    tool.report["volumeError"] = volume / figures.volume - 1;
+    reportInverted(tool, figures);
+    return figures.inverted.empty();
+}
+
+} // namespace polymesh::tools

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/quality/editQuality.h"
 
+#include "libpolymesh/base/parallel.h"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace polymesh {
@@ -147,6 +150,24 @@ Badness badnessOf(MeshEditor& editor, std::span<const Label> cells) {
     for (const Label f : faces)
         checkFace(editor, f, badness);
     return badness;
+}
+
+bool isFailing(MeshEditor& editor, Label cell) {
+    const std::array<Label, 1> one{cell};
+    return badnessOf(editor, one).failures > 0;
+}
+
+std::vector<Label> failingCells(MeshEditor& editor) {
+    editor.computeGeometry(); // so that the loop only reads
+    std::vector<std::uint8_t> fails(index(editor.cellCount()), 0);
+    parallelFor(editor.cellCount(), [&](Label c) {
+        if (!editor.cell(c).isRemoved() && !editor.isFrozen(c))
+            fails[index(c)] = isFailing(editor, c);
+    });
+    std::vector<Label> cells;
+    for (std::size_t c = 0; c < fails.size(); ++c)
+        if (fails[c]) cells.push_back(toLabel(c));
+    return cells;
 }
 
 std::vector<Label> withNeighbours(const MeshEditor& editor, std::span<const Label> cells) {

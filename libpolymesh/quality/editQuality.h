@@ -33,6 +33,12 @@ bool isBetter(const Badness& after, const Badness& before);
 /// passed over, and of their faces only the sides of edited cells count.
 Badness badnessOf(MeshEditor& editor, std::span<const Label> cells);
 
+/// True when a cell or one of its faces is counted as a failure.
+bool isFailing(MeshEditor& editor, Label cell);
+
+/// The cells that are failing, in order. Cost: all cells are looked at, in parallel.
+std::vector<Label> failingCells(MeshEditor& editor);
+
 /// The cells that have a face in common with the given ones, and these: ascending, no frozen ones.
 std::vector<Label> withNeighbours(const MeshEditor& editor, std::span<const Label> cells);
 

@@ -23,13 +23,12 @@ namespace polymesh {
 namespace {
 
 constexpr double concaveAngle = 0.1;         // [rad]
-constexpr std::size_t maxFaces = 64;         // of a cell that is worth the effort
 constexpr double longestCollapse = 0.5;      // of the size of the cell
 constexpr double largestVolumeChange = 2e-3; // of the cube of the size of the cell
 
 constexpr double largestMerged = 2.6; // volume of a merged cell, of the cube of its size
 
-enum class Remedy : std::uint8_t { cut, merge, collapse, collapseAll, cutAnywhere, splitFace };
+enum class Remedy : std::uint8_t { cut, merge, collapse, collapseAll, splitFace };
 
 constexpr std::array<double, 3> shortLimits{
     0.03, 0.06, 0.12}; // for collapseAll, of the size of the cell
@@ -44,6 +43,7 @@ struct Proposal {
     Label invalid = 0; // the changes: negative is good
     Label failures = 0;
     double severity = 0;
+    CellLoop loop = {}; // for cut
 };
 
 bool isGood(const Proposal& p) {
@@ -54,11 +54,6 @@ bool isGood(const Proposal& p) {
 bool isBetterThan(const Proposal& a, const Proposal& b) {
     if (a.invalid != b.invalid) return a.invalid < b.invalid;
     return a.failures != b.failures ? a.failures < b.failures : a.severity < b.severity - 1e-9;
-}
-
-bool isBad(MeshEditor& editor, Label cell) {
-    const std::array<Label, 1> one{cell};
-    return badnessOf(editor, one).failures > 0;
 }
 
 double volumeOf(MeshEditor& editor, std::span<const Label> cells) {
@@ -142,19 +137,19 @@ bool splitAtChord(MeshEditor& editor, const Proposal& chord) {
 /// Looks for the best change round one cell.
 class RepairSearch {
 public:
-    RepairSearch(MeshEditor& editor, Label cell) : editor_(editor), cell_(cell) {}
+    RepairSearch(MeshEditor& editor, Label cell, WorkBudget& budget)
+        : editor_(editor), cell_(cell), budget_(budget) {}
 
     /// The best change; where none makes it better and it is allowed, one that passes the trouble
     /// on to the next cell.
     std::optional<Proposal> best(bool mayPassOn) {
-        proposeCut(Remedy::cut);
+        proposeCut(bestReflexCut(editor_, cell_, concaveAngle, budget_));
         for (const MergePartner& partner : mergePartners(editor_, cell_))
-            if (editor_.cell(partner.cell).faces.size() <= maxFaces)
-                proposeMerge(cell_, partner.cell);
+            proposeMerge(cell_, partner.cell);
         proposeCollapses();
         for (std::size_t i = 0; i < shortLimits.size(); ++i)
             proposeCollapseAll(toLabel(i));
-        if (!best_) proposeCut(Remedy::cutAnywhere);
+        if (!best_) proposeCut(bestHalvingCut(editor_, cell_, budget_));
         if (!best_) proposeFaceSplits();
         return best_ || !mayPassOn ? best_ : fallback_;
     }
@@ -177,21 +172,27 @@ private:
         return editor_.cellGeometry(cell).volume > largestMerged * size * size * size;
     }
 
-    void proposeCut(Remedy remedy) {
+    void proposeCut(const std::optional<CellLoop>& loop) {
+        if (!loop) return;
         const std::array<Label, 1> one{cell_};
         std::vector<Label> region = withNeighbours(editor_, one);
         const Badness before = badnessOf(editor_, region);
         const MeshEditor::Mark mark = editor_.mark();
-        const Label added = remedy == Remedy::cut ? cutAtReflexEdge(editor_, cell_, concaveAngle)
-                                                  : cutAtAnyEdge(editor_, cell_);
+        const Label added = cutCell(editor_, cell_, *loop);
         if (added >= 0) {
             region.push_back(added);
-            consider({remedy, cell_, -1}, before, badnessOf(editor_, region));
+            Proposal proposal{.remedy = Remedy::cut, .from = cell_};
+            proposal.loop = *loop;
+            consider(proposal, before, badnessOf(editor_, region));
         }
         editor_.undoTo(mark);
     }
 
+    bool spend() { return budget_.spend(editor_.cell(cell_).faces.size()); }
+
     void proposeMerge(Label from, Label into) {
+        const std::size_t faces = editor_.cell(from).faces.size() + editor_.cell(into).faces.size();
+        if (!budget_.spend(faces)) return;
         const std::array<Label, 2> both{from, into};
         const std::vector<Label> region = withNeighbours(editor_, both);
         const Badness before = badnessOf(editor_, region);
@@ -221,6 +222,7 @@ private:
     void proposeFaceSplit(const Proposal& proposal,
                           std::span<const Label> region,
                           const Badness& before) {
+        if (!spend()) return;
         const MeshEditor::Mark mark = editor_.mark();
         const Label oldCells = editor_.cellCount();
         if (splitAtChord(editor_, proposal) && allBalls(editor_, region)) {
@@ -245,7 +247,7 @@ private:
     }
 
     void proposeCollapse(Label from, Label to) {
-        if (!mayCollapse(editor_, from, to)) return;
+        if (!mayCollapse(editor_, from, to) || !spend()) return;
         const std::vector<Label> region = cellsOfPoint(editor_, from);
         const Badness before = badnessOf(editor_, region);
         const double volume = volumeOf(editor_, region);
@@ -265,6 +267,7 @@ private:
                 const std::vector<Label> cells = cellsOfPoint(editor_, p);
                 region.insert(region.end(), cells.begin(), cells.end());
             }
+        if (region.empty() || !spend()) return;
         std::sort(region.begin(), region.end());
         region.erase(std::unique(region.begin(), region.end()), region.end());
         const Badness before = badnessOf(editor_, region);
@@ -279,6 +282,7 @@ private:
 
     MeshEditor& editor_;
     Label cell_;
+    WorkBudget& budget_;
     std::optional<Proposal> best_;
     std::optional<Proposal> fallback_;
 };
@@ -289,10 +293,8 @@ void apply(MeshEditor& editor,
            RepairCounts& counts,
            std::deque<Label>& touched) {
     std::vector<Label> cells;
-    if (proposal.remedy == Remedy::cut || proposal.remedy == Remedy::cutAnywhere) {
-        const Label added = proposal.remedy == Remedy::cut
-                                ? cutAtReflexEdge(editor, proposal.from, concaveAngle)
-                                : cutAtAnyEdge(editor, proposal.from);
+    if (proposal.remedy == Remedy::cut) {
+        const Label added = cutCell(editor, proposal.from, proposal.loop);
         cells = {proposal.from, added};
         ++counts.cuts;
     } else if (proposal.remedy == Remedy::merge) {
@@ -325,24 +327,24 @@ void apply(MeshEditor& editor,
 RepairCounts repairCells(MeshEditor& editor) {
     constexpr int maxVisits =
         8; // a cell that takes more is going round in circles with its neighbours
-    editor.computeGeometry();
     RepairCounts counts;
-    std::deque<Label> queue;
-    for (Label c = 0; c < editor.cellCount(); ++c)
-        if (!editor.cell(c).isRemoved() && !editor.isFrozen(c) && isBad(editor, c))
-            queue.push_back(c);
+    const std::vector<Label> failing = failingCells(editor);
+    std::deque<Label> queue(failing.begin(), failing.end());
     counts.bad = toLabel(queue.size());
+    WorkBudget budget(40000 + std::int64_t{editor.cellCount()});
     // Each step lowers, in this order: the passes left, what is invalid, the failures, the severity
     // by a least amount. The changes left keep the number of steps in proportion.
     std::int64_t passesLeft = std::int64_t{8} * counts.bad;
     std::int64_t changesLeft = std::int64_t{50} * counts.bad;
     std::map<Label, int> visits;
-    while (!queue.empty() && changesLeft > 0) {
+    while (!queue.empty() && changesLeft > 0 && !budget.isSpent()) {
         const Label c = queue.front();
         queue.pop_front();
-        if (editor.cell(c).isRemoved() || !isBad(editor, c) || ++visits[c] > maxVisits) continue;
-        if (editor.cell(c).faces.size() > maxFaces) continue;
-        const std::optional<Proposal> proposal = RepairSearch(editor, c).best(passesLeft > 0);
+        if (editor.cell(c).isRemoved() || !isFailing(editor, c) || ++visits[c] > maxVisits)
+            continue;
+        budget.startCell(queue.size());
+        const std::optional<Proposal> proposal =
+            RepairSearch(editor, c, budget).best(passesLeft > 0);
         if (!proposal) continue;
         const Label oldCells = editor.cellCount();
         apply(editor, *proposal, counts, queue);
@@ -354,8 +356,7 @@ RepairCounts repairCells(MeshEditor& editor) {
         if (proposal->remedy == Remedy::merge)
             visits[proposal->to] = std::max(visits[proposal->to], soFar);
     }
-    for (Label c = 0; c < editor.cellCount(); ++c)
-        counts.left += !editor.cell(c).isRemoved() && !editor.isFrozen(c) && isBad(editor, c);
+    counts.left = toLabel(failingCells(editor).size());
     return counts;
 }
 

@@ -2,170 +2,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/quality/splitConcaveCells.h"
 
-#include "libpolymesh/quality/cellTopology.h"
 #include "libpolymesh/quality/cutCell.h"
 #include "libpolymesh/quality/editQuality.h"
-#include "libpolymesh/quality/polygons.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <deque>
-#include <tuple>
+#include <optional>
 
 namespace polymesh {
 
 namespace {
 
-/// The normal, out of the cell, of the triangle between an edge of a face and the face's centre.
-Vec3 normalAt(MeshEditor& editor, Label f, Label cell, Label a, Label b) {
-    const Vec3 origin = editor.point(a);
-    const FaceGeometry& g = editor.faceGeometry(f);
-    const bool forward = cornerAfter(editor.face(f).points, a) == b;
-    const Vec3 n = (forward ? 1.0 : -1.0) * cross(editor.point(b) - origin, g.centre - origin);
-    // The centre of a face that is not convex may lie on the wrong side of the edge.
-    return (editor.face(f).owner == cell ? 1.0 : -1.0) * (dot(n, g.area) > 0 ? n : g.area);
-}
-
-/// The planes in which a cell might be cut at a reflex edge: on along either face, and between.
-std::vector<EdgePlane> planesAt(MeshEditor& editor, Label cell, const ReflexEdge& edge) {
-    const Vec3 axis = editor.point(edge.high) - editor.point(edge.low);
-    Vec3 u = normalAt(editor, edge.f, cell, edge.low, edge.high);
-    Vec3 v = normalAt(editor, edge.g, cell, edge.low, edge.high);
-    u = u / std::max(norm(u), 1e-300);
-    v = v / std::max(norm(v), 1e-300);
-    // The middle plane holds the edge and the sum of the normals, as these point out of the cell.
-    const Vec3 middle = cross(axis, u + v);
-    std::vector<EdgePlane> planes;
-    for (const Vec3& normal : {u, v, middle}) {
-        const double length = norm(normal);
-        if (length > 1e-12 * norm(axis)) planes.push_back({edge.low, edge.high, normal / length});
-    }
-    return planes;
-}
-
-/// The edges of the two faces that are not reflex: a loop along them would cut nothing off.
-EdgeList forbiddenEdges(const MeshEditor& editor,
-                        const ReflexEdge& edge,
-                        std::span<const ReflexEdge> reflex) {
-    EdgeList edges;
-    for (const Label f : {edge.f, edge.g}) {
-        const Polygon& polygon = editor.face(f).points;
-        Label p = polygon.back();
-        for (const Label q : polygon) {
-            const std::pair<Label, Label> e{std::min(p, q), std::max(p, q)};
-            p = q;
-            if (e.first == edge.low && e.second == edge.high) continue;
-            const bool isReflex =
-                std::any_of(reflex.begin(), reflex.end(), [&](const ReflexEdge& r) {
-                    return r.low == e.first && r.high == e.second;
-                });
-            if (!isReflex) edges.push_back(e);
-        }
-    }
-    return edges;
-}
-
-struct Cut {
-    CellLoop loop;
-    Badness after;
-    double excess = 0; // [rad] sum over the reflex edges of both parts
-};
-
-double totalExcess(MeshEditor& editor, Label cell, double tolerance) {
-    double sum = 0;
-    for (const ReflexEdge& edge : reflexEdges(editor, cell, tolerance))
-        sum += edge.excess;
-    return sum;
-}
-
-/// Tries a cut and takes it back; what it would leave, if it can be made.
-std::optional<Cut> tryCut(MeshEditor& editor,
-                          Label cell,
-                          const CellLoop& loop,
-                          double tolerance,
-                          std::span<const Label> region) {
-    const MeshEditor::Mark mark = editor.mark();
-    std::optional<Cut> cut;
-    const Label added = cutCell(editor, cell, loop);
-    if (added >= 0 && editor.cellGeometry(added).volume > 0 &&
-        editor.cellGeometry(cell).volume > 0) {
-        std::vector<Label> all(region.begin(), region.end());
-        all.push_back(added);
-        cut = Cut{loop,
-                  badnessOf(editor, all),
-                  totalExcess(editor, cell, tolerance) + totalExcess(editor, added, tolerance)};
-    }
-    editor.undoTo(mark);
-    return cut;
-}
-
-/// True when two loops have the same corners, wherever they start and whichever way they run.
-bool isSameLoop(const CellLoop& a, const CellLoop& b) {
-    const auto isSame = [](const LoopCorner& p, const LoopCorner& q) {
-        if (p.point >= 0 || q.point >= 0) return p.point == q.point;
-        return p.low == q.low && p.high == q.high && p.position == q.position;
-    };
-    return a.size() == b.size() && std::all_of(a.begin(), a.end(), [&](const LoopCorner& p) {
-               return std::any_of(
-                   b.begin(), b.end(), [&](const LoopCorner& q) { return isSame(p, q); });
-           });
-}
-
-/// All cuts that the planes at the reflex edges of a cell allow.
-std::vector<Cut>
-possibleCuts(MeshEditor& editor, Label cell, double tolerance, std::span<const Label> region) {
-    constexpr std::size_t maxEdges = 6;
-    constexpr std::size_t maxFaces = 64; // beyond, the surface is too fine for the cells: no hope
-    std::vector<Cut> cuts;
-    if (editor.cell(cell).faces.size() > maxFaces) return cuts;
-    std::vector<CellLoop> tried; // several planes may give one loop
-    const auto isNew = [&](const CellLoop& loop) {
-        const bool known = std::any_of(tried.begin(), tried.end(), [&](const CellLoop& other) {
-            return isSameLoop(loop, other);
-        });
-        if (!known) tried.push_back(loop);
-        return !known;
-    };
-    const std::vector<ReflexEdge> reflex = reflexEdges(editor, cell, tolerance);
-    for (std::size_t i = 0; i < std::min(reflex.size(), maxEdges); ++i) {
-        const EdgeList forbidden = forbiddenEdges(editor, reflex[i], reflex);
-        for (const EdgePlane& plane : planesAt(editor, cell, reflex[i]))
-            for (const double snap : {0.25, 0.05}) {
-                const auto loop = findCuttingLoop(editor, cell, plane, snap, forbidden);
-                if (!loop || !isNew(*loop)) continue;
-                auto cut = tryCut(editor, cell, *loop, tolerance, region);
-                if (cut) cuts.push_back(std::move(*cut));
-            }
-    }
-    return cuts;
-}
-
-/// Cuts in the planes that halve the angles at all edges of a cell, concave or not.
-std::vector<Cut> halvingCuts(MeshEditor& editor, Label cell, std::span<const Label> region) {
-    constexpr std::size_t maxFaces = 40; // the number of edges to try grows with the faces
-    std::vector<Cut> cuts;
-    if (editor.cell(cell).faces.size() > maxFaces) return cuts;
-    const double noTolerance = -4; // [rad] no angle is excluded
-    const std::vector<ReflexEdge> edges = reflexEdges(editor, cell, noTolerance);
-    for (const ReflexEdge& edge : edges) {
-        const EdgePlane middle = planesAt(editor, cell, edge).back();
-        const auto loop =
-            findCuttingLoop(editor, cell, middle, 0.25, forbiddenEdges(editor, edge, {}));
-        if (!loop) continue;
-        auto cut = tryCut(editor, cell, *loop, 0.1, region);
-        if (cut) cuts.push_back(std::move(*cut));
-    }
-    return cuts;
-}
-
 /// The cut that leaves the least badness, if that is less than `before`.
-const Cut* bestCut(const std::vector<Cut>& cuts, const Badness& before) {
+std::optional<CellLoop> bestCut(const std::vector<Cut>& cuts, const Badness& before) {
     const Cut* best = nullptr;
     for (const Cut& cut : cuts)
         if (isBetter(cut.after, best ? best->after : before)) best = &cut;
-    return best;
+    return best ? std::optional(best->loop) : std::nullopt;
 }
 
 /// The cut that leaves the least concavity, weighing failures as much as an edge of 90 degrees too
@@ -183,55 +37,24 @@ const Cut* straightestCut(const std::vector<Cut>& cuts, double excess) {
     return best;
 }
 
-bool isBad(MeshEditor& editor, Label cell) {
-    const std::array<Label, 1> one{cell};
-    return badnessOf(editor, one).failures > 0;
-}
-
 } // namespace
 
-std::vector<ReflexEdge> reflexEdges(MeshEditor& editor, Label cell, double tolerance) {
-    std::vector<EdgeUse> uses;
-    collectEdgeUses(editor.mesh(), cell, uses);
-    std::vector<ReflexEdge> reflex;
-    for (std::size_t i = 0; i + 1 < uses.size(); i += 2) {
-        const EdgeUse& first = uses[i].forward ? uses[i] : uses[i + 1];
-        const EdgeUse& second = uses[i].forward ? uses[i + 1] : uses[i];
-        const Vec3 axis = editor.point(first.high) - editor.point(first.low);
-        const Vec3 u = normalAt(editor, first.face, cell, first.low, first.high);
-        const Vec3 v = normalAt(editor, second.face, cell, first.low, first.high);
-        const double length = norm(axis);
-        if (length <= 0) continue;
-        const double turn = std::atan2(-dot(cross(u, v), axis) / length, dot(u, v));
-        if (turn > tolerance)
-            reflex.push_back({first.low, first.high, first.face, second.face, turn});
-    }
-    std::sort(reflex.begin(), reflex.end(), [](const ReflexEdge& a, const ReflexEdge& b) {
-        return a.excess != b.excess ? a.excess > b.excess
-                                    : std::tie(a.low, a.high) < std::tie(b.low, b.high);
-    });
-    return reflex;
-}
-
-Label cutAtReflexEdge(MeshEditor& editor, Label cell, double tolerance) {
+std::optional<CellLoop>
+bestReflexCut(MeshEditor& editor, Label cell, double tolerance, WorkBudget& budget) {
     const std::array<Label, 1> one{cell};
     const std::vector<Label> region = withNeighbours(editor, one);
     const Badness before = badnessOf(editor, region);
-    const std::vector<Cut> cuts = possibleCuts(editor, cell, tolerance, region);
-    const Cut* best = bestCut(cuts, before);
-    return best ? cutCell(editor, cell, best->loop) : -1;
+    return bestCut(possibleCuts(editor, cell, region, {tolerance, false}, budget), before);
 }
 
-Label cutAtAnyEdge(MeshEditor& editor, Label cell) {
+std::optional<CellLoop> bestHalvingCut(MeshEditor& editor, Label cell, WorkBudget& budget) {
     const std::array<Label, 1> one{cell};
     const std::vector<Label> region = withNeighbours(editor, one);
     const Badness before = badnessOf(editor, region);
-    const std::vector<Cut> cuts = halvingCuts(editor, cell, region);
-    const Cut* best = bestCut(cuts, before);
-    return best ? cutCell(editor, cell, best->loop) : -1;
+    return bestCut(halvingCuts(editor, cell, region, budget), before);
 }
 
-Label decomposeCell(MeshEditor& editor, Label cell, double tolerance) {
+Label decomposeCell(MeshEditor& editor, Label cell, double tolerance, WorkBudget& budget) {
     constexpr Label maxCuts = 12;
     const std::array<Label, 1> one{cell};
     std::vector<Label> region = withNeighbours(editor, one);
@@ -242,8 +65,9 @@ Label decomposeCell(MeshEditor& editor, Label cell, double tolerance) {
     while (!pieces.empty() && count < maxCuts) {
         const Label piece = pieces.front();
         pieces.pop_front();
-        if (!isBad(editor, piece)) continue;
-        const std::vector<Cut> cuts = possibleCuts(editor, piece, tolerance, region);
+        if (!isFailing(editor, piece)) continue;
+        const std::vector<Cut> cuts =
+            possibleCuts(editor, piece, region, {tolerance, true}, budget);
         const Cut* cut = straightestCut(cuts, totalExcess(editor, piece, tolerance));
         if (!cut) continue;
         const Label added = cutCell(editor, piece, cut->loop);
@@ -258,32 +82,34 @@ Label decomposeCell(MeshEditor& editor, Label cell, double tolerance) {
 }
 
 SplitCounts splitConcaveCells(MeshEditor& editor, double tolerance) {
-    editor.computeGeometry();
     SplitCounts counts;
     std::deque<Label> queue;
-    for (Label c = 0; c < editor.cellCount(); ++c) {
-        if (editor.cell(c).isRemoved() || editor.isFrozen(c) || !isBad(editor, c)) continue;
-        if (reflexEdges(editor, c, tolerance).empty()) continue;
-        queue.push_back(c);
-        ++counts.concave;
-    }
-    const std::int64_t maxCuts = std::int64_t{50} * counts.concave;
+    for (const Label c : failingCells(editor))
+        if (!reflexEdges(editor, c, tolerance).empty()) queue.push_back(c);
+    counts.concave = toLabel(queue.size());
+    WorkBudget budget(20000 + 2 * std::int64_t{editor.cellCount()});
+    std::int64_t cutsLeft = std::int64_t{50} * counts.concave;
     while (!queue.empty()) {
         const Label c = queue.front();
         queue.pop_front();
-        if (!isBad(editor, c)) continue;
-        if (counts.cuts >= maxCuts) {
+        if (!isFailing(editor, c)) continue;
+        if (cutsLeft <= 0 || budget.isSpent()) {
             ++counts.left;
             continue;
         }
-        const Label added = cutAtReflexEdge(editor, c, tolerance);
+        budget.startCell(queue.size());
+        const std::optional<CellLoop> loop = bestReflexCut(editor, c, tolerance, budget);
+        const Label added = loop ? cutCell(editor, c, *loop) : -1;
         if (added >= 0) {
             ++counts.cuts;
+            --cutsLeft;
             queue.push_back(c);
             queue.push_back(added);
         } else {
-            counts.cuts += decomposeCell(editor, c, tolerance);
-            counts.left += isBad(editor, c);
+            const Label cuts = decomposeCell(editor, c, tolerance, budget);
+            counts.cuts += cuts;
+            cutsLeft -= cuts;
+            counts.left += isFailing(editor, c);
         }
         editor.commit();
     }

@@ -2,24 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "libpolymesh/quality/meshEditor.h"
-
-#include <vector>
+#include "libpolymesh/quality/possibleCuts.h"
 
 namespace polymesh {
-
-/// An edge of a cell at which it is concave: the angle inside, between the faces f and g, is larger
-/// than 180 degrees by `excess` [rad].
-struct ReflexEdge {
-    Label low = -1;
-    Label high = -1;
-    Label f = -1;
-    Label g = -1;
-    double excess = 0;
-};
-
-/// The edges of a cell with an excess over `tolerance` [rad], the largest excess first.
-std::vector<ReflexEdge> reflexEdges(MeshEditor& editor, Label cell, double tolerance);
 
 /// What splitConcaveCells did.
 struct SplitCounts {
@@ -31,23 +16,24 @@ struct SplitCounts {
 /// Cuts cells that are concave and fail for it (wrong face pyramids, skewness or non-orthogonality
 /// at one of their faces) at their reflex edges with an excess over `tolerance` [rad], into pieces
 /// that are better than the whole; the pieces again where they need it, as long as there are fewer
-/// than 50 cuts for each cell that is concave and fails before. The faces that a cut crosses are
-/// cut for both cells that share them. Cost: a look at each cell, some tens of microseconds for a
-/// cell to cut. Reference: the paper, section 3.2, with planes in place of its face criteria.
+/// than 50 cuts for each cell that is concave and fails before, and the work budget lasts (20,000
+/// tries and 2 for each cell). The faces that a cut crosses are cut for both cells that share them.
+/// Cost: a parallel look at each cell, half a millisecond for a cell to cut. Reference: the paper,
+/// section 3.2, with planes in place of its face criteria.
 SplitCounts splitConcaveCells(EditMesh& mesh, double tolerance);
 SplitCounts splitConcaveCells(MeshEditor& editor, double tolerance);
 
 /// Cuts a cell, and the pieces again, by the cuts that leave the least concavity, though a single
 /// one may not make anything better; kept if all of them together do. Returns the number of cuts
 /// made.
-Label decomposeCell(MeshEditor& editor, Label cell, double tolerance);
+Label decomposeCell(MeshEditor& editor, Label cell, double tolerance, WorkBudget& budget);
 
-/// The best cut of a cell at one of its reflex edges, made if it leaves the cells round it better.
-/// Returns the new cell, or -1.
-Label cutAtReflexEdge(MeshEditor& editor, Label cell, double tolerance);
+/// The best cut of a cell at one of its reflex edges, if it leaves the cells round it better.
+std::optional<CellLoop>
+bestReflexCut(MeshEditor& editor, Label cell, double tolerance, WorkBudget& budget);
 
 /// The same with the planes that halve the angle at each edge of the cell, concave or not: the last
 /// resort, dearer by an order of magnitude.
-Label cutAtAnyEdge(MeshEditor& editor, Label cell);
+std::optional<CellLoop> bestHalvingCut(MeshEditor& editor, Label cell, WorkBudget& budget);
 
 } // namespace polymesh

@@ -1,0 +1,197 @@
+// SPDX-FileCopyrightText: The polymesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "libpolymesh/quality/possibleCuts.h"
+
+#include "libpolymesh/quality/cellTopology.h"
+#include "libpolymesh/quality/cutCell.h"
+#include "libpolymesh/quality/polygons.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+
+namespace polymesh {
+
+namespace {
+
+/// The normal, out of the cell, of the triangle between an edge of a face and the face's centre.
+Vec3 normalAt(MeshEditor& editor, Label f, Label cell, Label a, Label b) {
+    const Vec3 origin = editor.point(a);
+    const FaceGeometry& g = editor.faceGeometry(f);
+    const bool forward = cornerAfter(editor.face(f).points, a) == b;
+    const Vec3 n = (forward ? 1.0 : -1.0) * cross(editor.point(b) - origin, g.centre - origin);
+    // The centre of a face that is not convex may lie on the wrong side of the edge.
+    return (editor.face(f).owner == cell ? 1.0 : -1.0) * (dot(n, g.area) > 0 ? n : g.area);
+}
+
+/// The planes in which a cell might be cut at a reflex edge: on along either face, and between.
+std::vector<EdgePlane> planesAt(MeshEditor& editor, Label cell, const ReflexEdge& edge) {
+    const Vec3 axis = editor.point(edge.high) - editor.point(edge.low);
+    Vec3 u = normalAt(editor, edge.f, cell, edge.low, edge.high);
+    Vec3 v = normalAt(editor, edge.g, cell, edge.low, edge.high);
+    u = u / std::max(norm(u), 1e-300);
+    v = v / std::max(norm(v), 1e-300);
+    // The middle plane holds the edge and the sum of the normals, as these point out of the cell.
+    const Vec3 middle = cross(axis, u + v);
+    std::vector<EdgePlane> planes;
+    for (const Vec3& normal : {u, v, middle}) {
+        const double length = norm(normal);
+        if (length > 1e-12 * norm(axis)) planes.push_back({edge.low, edge.high, normal / length});
+    }
+    return planes;
+}
+
+/// The edges of the two faces that are not reflex: a loop along them would cut nothing off.
+EdgeList forbiddenEdges(const MeshEditor& editor,
+                        const ReflexEdge& edge,
+                        std::span<const ReflexEdge> reflex) {
+    EdgeList edges;
+    for (const Label f : {edge.f, edge.g}) {
+        const Polygon& polygon = editor.face(f).points;
+        Label p = polygon.back();
+        for (const Label q : polygon) {
+            const std::pair<Label, Label> e{std::min(p, q), std::max(p, q)};
+            p = q;
+            if (e.first == edge.low && e.second == edge.high) continue;
+            const bool isReflex =
+                std::any_of(reflex.begin(), reflex.end(), [&](const ReflexEdge& r) {
+                    return r.low == e.first && r.high == e.second;
+                });
+            if (!isReflex) edges.push_back(e);
+        }
+    }
+    return edges;
+}
+
+/// Tries a cut and takes it back; what it would leave, if it can be made.
+std::optional<Cut> tryCut(MeshEditor& editor,
+                          Label cell,
+                          const CellLoop& loop,
+                          std::span<const Label> region,
+                          const CutAim& aim) {
+    const MeshEditor::Mark mark = editor.mark();
+    std::optional<Cut> cut;
+    const Label added = cutCell(editor, cell, loop);
+    if (added >= 0 && editor.cellGeometry(added).volume > 0 &&
+        editor.cellGeometry(cell).volume > 0) {
+        std::vector<Label> all(region.begin(), region.end());
+        all.push_back(added);
+        cut = Cut{loop, badnessOf(editor, all), 0};
+        if (aim.wantsConvex)
+            cut->excess = totalExcess(editor, cell, aim.tolerance) +
+                          totalExcess(editor, added, aim.tolerance);
+    }
+    editor.undoTo(mark);
+    return cut;
+}
+
+/// What would be left of the badness of a region if a cell in it were faultless.
+Badness badnessBeside(MeshEditor& editor, Label cell, std::span<const Label> region) {
+    const std::array<Label, 1> one{cell};
+    Badness rest = badnessOf(editor, region);
+    const Badness own = badnessOf(editor, one);
+    rest.invalid -= own.invalid;
+    rest.failures -= own.failures;
+    rest.severity -= own.severity;
+    return rest;
+}
+
+/// True when two loops have the same corners, wherever they start and whichever way they run.
+bool isSameLoop(const CellLoop& a, const CellLoop& b) {
+    const auto isSame = [](const LoopCorner& p, const LoopCorner& q) {
+        if (p.point >= 0 || q.point >= 0) return p.point == q.point;
+        return p.low == q.low && p.high == q.high && p.position == q.position;
+    };
+    return a.size() == b.size() && std::all_of(a.begin(), a.end(), [&](const LoopCorner& p) {
+               return std::any_of(
+                   b.begin(), b.end(), [&](const LoopCorner& q) { return isSame(p, q); });
+           });
+}
+
+} // namespace
+
+std::vector<ReflexEdge> reflexEdges(MeshEditor& editor, Label cell, double tolerance) {
+    std::vector<EdgeUse> uses;
+    collectEdgeUses(editor.mesh(), cell, uses);
+    std::vector<ReflexEdge> reflex;
+    for (std::size_t i = 0; i + 1 < uses.size(); i += 2) {
+        const EdgeUse& first = uses[i].forward ? uses[i] : uses[i + 1];
+        const EdgeUse& second = uses[i].forward ? uses[i + 1] : uses[i];
+        const Vec3 axis = editor.point(first.high) - editor.point(first.low);
+        const Vec3 u = normalAt(editor, first.face, cell, first.low, first.high);
+        const Vec3 v = normalAt(editor, second.face, cell, first.low, first.high);
+        const double length = norm(axis);
+        if (length <= 0) continue;
+        const double turn = std::atan2(-dot(cross(u, v), axis) / length, dot(u, v));
+        if (turn > tolerance)
+            reflex.push_back({first.low, first.high, first.face, second.face, turn});
+    }
+    std::sort(reflex.begin(), reflex.end(), [](const ReflexEdge& a, const ReflexEdge& b) {
+        return a.excess != b.excess ? a.excess > b.excess
+                                    : std::tie(a.low, a.high) < std::tie(b.low, b.high);
+    });
+    return reflex;
+}
+
+double totalExcess(MeshEditor& editor, Label cell, double tolerance) {
+    double sum = 0;
+    for (const ReflexEdge& edge : reflexEdges(editor, cell, tolerance))
+        sum += edge.excess;
+    return sum;
+}
+
+std::vector<Cut> possibleCuts(MeshEditor& editor,
+                              Label cell,
+                              std::span<const Label> region,
+                              const CutAim& aim,
+                              WorkBudget& budget) {
+    constexpr std::size_t maxEdges = 6;
+    std::vector<Cut> cuts;
+    std::vector<CellLoop> tried; // several planes may give one loop
+    const auto isNew = [&](const CellLoop& loop) {
+        const bool known = std::any_of(tried.begin(), tried.end(), [&](const CellLoop& other) {
+            return isSameLoop(loop, other);
+        });
+        if (!known) tried.push_back(loop);
+        return !known;
+    };
+    const Badness rest = badnessBeside(editor, cell, region);
+    LoopFinder finder(editor, cell);
+    const std::vector<ReflexEdge> reflex = reflexEdges(editor, cell, aim.tolerance);
+    for (std::size_t i = 0; i < std::min(reflex.size(), maxEdges); ++i) {
+        const EdgeList forbidden = forbiddenEdges(editor, reflex[i], reflex);
+        for (const EdgePlane& plane : planesAt(editor, cell, reflex[i]))
+            for (const double snap : {0.25, 0.05}) {
+                if (!budget.spend(editor.cell(cell).faces.size())) return cuts;
+                const auto loop = finder.find(plane, snap, forbidden);
+                if (!loop || !isNew(*loop)) continue;
+                auto cut = tryCut(editor, cell, *loop, region, aim);
+                if (!cut) continue;
+                cuts.push_back(std::move(*cut));
+                if (!aim.wantsConvex && isNoWorse(cuts.back().after, rest)) return cuts;
+            }
+    }
+    return cuts;
+}
+
+std::vector<Cut>
+halvingCuts(MeshEditor& editor, Label cell, std::span<const Label> region, WorkBudget& budget) {
+    constexpr std::size_t maxFaces = 40; // the number of edges to try grows with the faces
+    std::vector<Cut> cuts;
+    if (editor.cell(cell).faces.size() > maxFaces) return cuts;
+    const double noTolerance = -4; // [rad] no angle is excluded
+    LoopFinder finder(editor, cell);
+    const std::vector<ReflexEdge> edges = reflexEdges(editor, cell, noTolerance);
+    for (const ReflexEdge& edge : edges) {
+        if (!budget.spend(editor.cell(cell).faces.size())) return cuts;
+        const EdgePlane middle = planesAt(editor, cell, edge).back();
+        const auto loop = finder.find(middle, 0.25, forbiddenEdges(editor, edge, {}));
+        if (!loop) continue;
+        auto cut = tryCut(editor, cell, *loop, region, CutAim());
+        if (cut) cuts.push_back(std::move(*cut));
+    }
+    return cuts;
+}
+
+} // namespace polymesh

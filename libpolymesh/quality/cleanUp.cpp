@@ -4,23 +4,48 @@
 
 #include "libpolymesh/quality/collapseEdges.h"
 #include "libpolymesh/quality/collapsePoints.h"
+#include "libpolymesh/quality/editParts.h"
+#include "libpolymesh/quality/editQuality.h"
 #include "libpolymesh/quality/mergeCells.h"
 #include "libpolymesh/quality/mergeFaces.h"
 #include "libpolymesh/quality/removeZeroSize.h"
 #include "libpolymesh/quality/repairCells.h"
 #include "libpolymesh/quality/splitConcaveCells.h"
 
+#include <array>
+
 namespace polymesh {
 
-CleanUpCounts
-cleanUp(EditMesh& mesh, std::span<const Label> representative, const CleanUpOptions& options) {
+namespace {
+
+/// Small meshes are edited whole: a part has to be much thicker than what is done twice at its
+/// seams.
+constexpr Label leastCellsOfPart = 30000;
+
+void removeWhatHasNoSize(EditMesh& mesh,
+                         std::span<const Label> representative,
+                         CleanUpCounts& counts) {
     MeshEditor editor(mesh);
-    CleanUpCounts counts;
     const CollapseCounts collapsed = collapsePoints(editor, representative);
     const ZeroSizeCounts zero = removeZeroSize(editor);
     counts.zeroCells = collapsed.removedCells + zero.cells;
     counts.brokenCells = collapsed.brokenCells;
     counts.mergedFaces = mergeFaces(editor, 0);
+}
+
+std::vector<Label> cellsThatFail(MeshEditor& editor) {
+    std::vector<Label> cells;
+    for (Label c = 0; c < editor.cellCount(); ++c) {
+        const std::array<Label, 1> one{c};
+        if (badnessOf(editor, one).failures > 0) cells.push_back(c);
+    }
+    return cells;
+}
+
+/// Returns what was done; `badCells` become the cells that checkMesh still fails.
+CleanUpCounts improve(EditMesh& mesh, const CleanUpOptions& options, std::vector<Label>& badCells) {
+    MeshEditor editor(mesh);
+    CleanUpCounts counts;
     counts.collapsedEdges = collapseShortEdges(editor, options.minEdge);
     counts.mergedCells = mergeSmallCells(editor, options.minVolume);
     if (!options.mendsCells) return counts;
@@ -28,7 +53,61 @@ cleanUp(EditMesh& mesh, std::span<const Label> representative, const CleanUpOpti
     const RepairCounts repaired = repairCells(editor);
     counts.cutCells += repaired.cuts;
     counts.repairs = repaired.merges + repaired.collapses + repaired.splits;
-    counts.badCells = repaired.left;
+    badCells = cellsThatFail(editor);
+    return counts;
+}
+
+void add(const CleanUpCounts& part, CleanUpCounts& counts) {
+    counts.collapsedEdges += part.collapsedEdges;
+    counts.mergedCells += part.mergedCells;
+    counts.cutCells += part.cutCells;
+    counts.repairs += part.repairs;
+}
+
+/// Improves the parts side by side and adds up what was done; returns the bad cells left in them.
+std::vector<Label> improveParts(EditMesh& mesh,
+                                CellParts& parts,
+                                const CleanUpOptions& options,
+                                CleanUpCounts& counts) {
+    std::vector<CleanUpCounts> ofPart(index(parts.count));
+    const std::vector<Label> badCells = editParts(mesh, parts, [&](EditMesh& own, Label part) {
+        std::vector<Label> bad;
+        ofPart[index(part)] = improve(own, options, bad);
+        return bad;
+    });
+    for (const CleanUpCounts& part : ofPart)
+        add(part, counts);
+    return badCells;
+}
+
+/// Improves slab by slab, then along the seams between them. Returns the number of bad cells left.
+Label improveInSlabs(EditMesh& mesh,
+                     CellParts& slabs,
+                     const CleanUpOptions& options,
+                     CleanUpCounts& counts) {
+    const std::vector<Label> bad = improveParts(mesh, slabs, options, counts);
+    CellParts seams = alongSeams(mesh, slabs);
+    Label away = 0; // the others are looked at again
+    for (const Label c : bad)
+        away += seams.ofCell[index(c)] < 0;
+    return away + toLabel(improveParts(mesh, seams, options, counts).size());
+}
+
+} // namespace
+
+CleanUpCounts
+cleanUp(EditMesh& mesh, std::span<const Label> representative, const CleanUpOptions& options) {
+    CleanUpCounts counts;
+    removeWhatHasNoSize(mesh, representative, counts);
+    if (options.minEdge <= 0 && options.minVolume <= 0 && !options.mendsCells) return counts;
+    CellParts slabs = divideIntoSlabs(mesh, leastCellsOfPart);
+    if (slabs.count > 1) {
+        counts.badCells = improveInSlabs(mesh, slabs, options, counts);
+        return counts;
+    }
+    std::vector<Label> badCells;
+    add(improve(mesh, options, badCells), counts);
+    counts.badCells = toLabel(badCells.size());
     return counts;
 }
 

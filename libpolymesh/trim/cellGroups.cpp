@@ -3,6 +3,8 @@
 #include "libpolymesh/trim/cellGroups.h"
 
 #include "libpolymesh/trim/chains.h"
+#include "libpolymesh/trim/featureNet.h"
+#include "libpolymesh/trim/sharpness.h"
 
 #include <algorithm>
 #include <cmath>
@@ -65,8 +67,11 @@ void CellGroups::build(const CellInput& input, Label cell, std::vector<std::uint
     firstPiece_ = input.pieces.offsets[index(cell)];
     pieceCount_ = input.pieces.offsets[index(cell) + 1] - firstPiece_;
     isBad_.assign(index(pieceCount_), 0);
+    cuts_.clear();
     listJoins(input);
     joinPieces(input);
+    while (cutAlongFeatures(input))
+        joinPieces(input);
     listOutlines(input);
     walkOutlines(input);
 }
@@ -107,14 +112,17 @@ void CellGroups::listJoins(const CellInput& input) {
         return a.interval != b.interval ? a.interval < b.interval : a.piece < b.piece;
     });
     joins_.clear();
+    features_.clear();
     for (std::size_t k = 0; k + 1 < entries_.size(); ++k) {
         if (entries_[k].interval != entries_[k + 1].interval) continue;
         const Label a = entries_[k].piece;
         const Label b = entries_[k + 1].piece;
         const double sharpness =
             input.sharpness[index(input.edgeOfInterval[index(entries_[k].interval)])];
+        const Join join{sharpness, a, b, entries_[k].interval};
+        if (sharpness >= featureSharpness) features_.push_back(join);
         if (levelOf(a) == levelOf(b) && sharpness <= input.levels[levelOf(a)].sharpest)
-            joins_.push_back({sharpness, a, b});
+            joins_.push_back(join);
     }
 }
 
@@ -138,20 +146,74 @@ void CellGroups::joinPieces(const CellInput& input) {
         const Label a = root(join.a);
         const Label b = root(join.b);
         const double cone = coneOf(join.a);
-        if (a == b || (cone < std::numbers::pi && !fits(a, b, cone))) continue;
+        if (a == b || std::ranges::binary_search(cuts_, join.interval)) continue;
+        if (cone < std::numbers::pi && !fits(a, b, cone)) continue;
         parent_[index(std::max(a, b))] = std::min(a, b);
     }
+}
+
+/// Makes borders that let feature edges part groups; false when there is nothing (more) to be done.
+bool CellGroups::cutAlongFeatures(const CellInput& input) {
+    boost::container::small_vector<Label, 4> groups;
+    for (const Join& feature : features_)
+        if (root(feature.a) == root(feature.b)) groups.push_back(root(feature.a));
+    std::ranges::sort(groups);
+    const std::size_t before = cuts_.size();
+    for (std::size_t i = 0; i < groups.size(); ++i)
+        if (i == 0 || groups[i] != groups[i - 1]) cutGroup(input, groups[i]);
+    std::ranges::sort(cuts_);
+    if (cuts_.size() == before)
+        for (const Label group : groups)
+            isBad_[index(group)] = 1;
+    return cuts_.size() != before;
+}
+
+void CellGroups::cutGroup(const CellInput& input, Label group) {
+    std::vector<NetEdge> net;
+    std::vector<Label> intervals; // beside net
+    std::vector<Label> outline;
+    for (Label i = 0; i < pieceCount_; ++i) {
+        if (root(i) != group) continue;
+        const auto points = input.pieces.polygons[firstPiece_ + i];
+        const auto pieceIntervals = intervalsOf(input.pieces, firstPiece_ + i);
+        for (std::size_t k = 0; k < points.size(); ++k) {
+            const Label to = points[(k + 1) % points.size()];
+            const Label interval = pieceIntervals[k];
+            const Label other = interval < 0 ? -1 : otherPiece(interval, i);
+            if (other < 0 || root(other) != group) {
+                outline.push_back(points[k]);
+                outline.push_back(to);
+            } else if (i < other) {
+                const double sharpness =
+                    input.sharpness[index(input.edgeOfInterval[index(interval)])];
+                const double length =
+                    norm(input.positions[index(to)] - input.positions[index(points[k])]);
+                net.push_back(
+                    {{points[k], to},
+                     length * (3 - 4 * std::clamp(sharpness, 0.0, 0.5)),
+                     sharpness >= featureSharpness || std::ranges::binary_search(cuts_, interval)});
+                intervals.push_back(interval);
+            }
+        }
+    }
+    std::ranges::sort(outline);
+    std::vector<NetEdge> carried = net;
+    if (!carryFeaturesOn(carried, outline)) isBad_[index(group)] = 1;
+    for (std::size_t k = 0; k < net.size(); ++k)
+        if (carried[k].isBorder && !net[k].isBorder) cuts_.push_back(intervals[k]);
+}
+
+/// The piece on the other side of an interval, or -1.
+Label CellGroups::otherPiece(Label interval, Label piece) const {
+    auto k = std::ranges::lower_bound(entries_, interval, {}, &Entry::interval);
+    for (; k != entries_.end() && k->interval == interval; ++k)
+        if (k->piece != piece) return k->piece;
+    return -1;
 }
 
 void CellGroups::listOutlines(const CellInput& input) {
     edges_.clear();
     borderEnds_.clear();
-    const auto otherGroup = [&](Label interval, Label piece) {
-        auto k = std::ranges::lower_bound(entries_, interval, {}, &Entry::interval);
-        for (; k != entries_.end() && k->interval == interval; ++k)
-            if (k->piece != piece) return root(k->piece);
-        return Label{-1};
-    };
     for (Label i = 0; i < pieceCount_; ++i) {
         const auto points = input.pieces.polygons[firstPiece_ + i];
         const auto intervals = intervalsOf(input.pieces, firstPiece_ + i);
@@ -159,7 +221,8 @@ void CellGroups::listOutlines(const CellInput& input) {
         for (std::size_t k = 0; k < points.size(); ++k) {
             const Label to = points[(k + 1) % points.size()];
             if (intervals[k] >= 0) {
-                if (otherGroup(intervals[k], i) == group) continue;
+                const Label other = otherPiece(intervals[k], i);
+                if (other >= 0 && root(other) == group) continue;
                 borderEnds_.push_back(points[k]);
                 borderEnds_.push_back(to);
             }
@@ -224,7 +287,8 @@ void CellGroups::keepVertices(const CellInput& input, double tolerance) {
         std::size_t j = i;
         while (j < seen.size() && seen[j] == seen[i])
             ++j;
-        if (j - i != 2) keptVertices_.push_back(seen[i]); // more than two faces meet
+        const bool isCorner = input.isCorner[index(seen[i] - firstVertex)] != 0;
+        if (j - i != 2 || isCorner) keptVertices_.push_back(seen[i]); // more than two faces meet
         i = j;
     }
     for (const Face& face : faces_) {

@@ -56,6 +56,7 @@ struct CellInput {
     const PointPositions& positions;
     const CellPieces& pieces;
     const std::vector<double>& sharpness; // per surface edge, see Fidelity
+    const std::vector<char>& isCorner;    // per surface point
     std::array<JoinLevel, lastLevel + 1> levels;
     std::vector<Label> edgeOfInterval; // see edgeOfIntervals
 };
@@ -71,7 +72,8 @@ public:
         Label group = -1;
     };
 
-    /// Joins the cell's pieces as far as their levels allow, the flattest edges first.
+    /// Joins the cell's pieces as far as their levels allow, the flattest edges first, and takes
+    /// groups apart where a feature edge has the same group on both sides.
     /// `levels`: one per piece of all cells.
     void build(const CellInput& input, Label cell, std::vector<std::uint8_t>& levels);
 
@@ -115,6 +117,7 @@ private:
         double sharpness;
         Label a;
         Label b;
+        Label interval;
     };
 
     /// A polygon of the cell as it would be.
@@ -138,9 +141,12 @@ private:
     void listJoins(const CellInput& input);
     void joinPieces(const CellInput& input);
     bool fits(Label a, Label b, double cone);
+    bool cutAlongFeatures(const CellInput& input);
+    void cutGroup(const CellInput& input, Label group);
     void listPolygons(const CellInput& input, const FaceLoops& loops, const KeptPoints& kept);
     void checkShells(const CellInput& input);
     double deviation(const CellInput& input, Label piece, const LoopPolygon& face) const;
+    Label otherPiece(Label interval, Label piece) const;
     void listOutlines(const CellInput& input);
     void walkOutlines(const CellInput& input);
     std::size_t next(std::size_t at) const;
@@ -154,6 +160,8 @@ private:
     std::vector<std::uint8_t> isBad_; // of the groups' roots
     std::vector<Cone> cones_;         // of the groups' roots
     std::vector<Join> joins_;
+    std::vector<Join> features_; // edges that must not have one group on both sides
+    std::vector<Label> cuts_;    // sorted intervals that are borders to make features borders
     std::vector<Entry> entries_;
     std::vector<OutlineEdge> edges_;
     std::vector<Label> borderEnds_;

@@ -13,7 +13,7 @@ namespace polymesh {
 namespace {
 
 constexpr double flat = -1;
-constexpr double border = 4;
+constexpr double border = featureSharpness + 1;
 
 /// The longest side of a triangle without area; -1 for one with an area.
 int foldedSide(const TriSurface& surface, Label t) {
@@ -71,7 +71,7 @@ std::vector<double> edgeSharpness(const TriSurface& surface,
         const Vec3 n = normal(surface, normalHolder(folded, edges, edge.left));
         const Vec3 m = normal(surface, normalHolder(folded, edges, edge.right));
         value = std::atan2(norm(cross(n, m)), dot(n, m));
-        if (features.isFeature[index(e)] != 0) value = std::max(value, border - 1);
+        if (features.isFeature[index(e)] != 0) value += featureSharpness;
     });
     return sharpness;
 }

@@ -9,8 +9,11 @@
 
 namespace polymesh {
 
+/// Edges with at least this sharpness are features.
+constexpr double featureSharpness = 3.2;
+
 /// How much each surface edge is worth keeping: the angle between the normals of its triangles
-/// [rad]; more than pi for the features that lie between two regions; -1 where the four points lie
+/// [rad]; more than pi for features; -1 where the four points lie
 /// exactly in one plane, and on the longest side of a triangle without area, which thus goes with
 /// its neighbour there.
 std::vector<double> edgeSharpness(const TriSurface& surface,

@@ -47,6 +47,7 @@ public:
                  positions,
                  pieces,
                  fidelity.sharpness,
+                 fidelity.isCorner,
                  joinLevels(fidelity),
                  edgeOfIntervals(arrangement)},
           cellSizes_(cellSizes),

@@ -14,10 +14,10 @@ struct Fidelity {
     /// Largest distance between the surface and what is kept of it, as a fraction of the cell size;
     /// 0 keeps all that is not exactly flat.
     double deviation = 0;
-    /// Per surface edge: the angle between the normals of its triangles [rad], more than pi between
-    /// two regions, -1 where the four points lie exactly in one plane.
+    /// Per surface edge, see edgeSharpness.
     std::vector<double> sharpness;
-    double featureAngle = 0; // [rad] sharper edges are kept always
+    std::vector<char> isCorner; // per surface point; corners are kept always
+    double featureAngle = 0;    // [rad] sharper edges are kept always
 };
 
 /// The surface in each cell as polygons: the boundary faces to be.

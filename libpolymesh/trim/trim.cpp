@@ -109,8 +109,10 @@ Trimmed trim(PolyMesh mesh, TriSurface surface, const TrimOptions& options) {
     options.onStage("simplify");
     const SurfaceFeatures features = findFeatures(surface, cutter.edges, options.featureAngle);
     const std::vector<double> cellSizes = probedCellSizes(probe);
-    const Fidelity fidelity{
-        options.deviation, edgeSharpness(surface, cutter.edges, features), options.featureAngle};
+    const Fidelity fidelity{options.deviation,
+                            edgeSharpness(surface, cutter.edges, features),
+                            features.isCorner,
+                            options.featureAngle};
     const BoundaryPolygons boundary =
         simplify(probe, cutter, arrangement, positions, pieces, cellSizes, fidelity, loops);
     const TrimmedCells cells = divideCells(probe, positions, loops, boundary);

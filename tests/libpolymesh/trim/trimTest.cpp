@@ -271,6 +271,90 @@ TEST(Trim, defaultOptionsKeepTheVolumeWithinTheDeviation) {
     EXPECT_NEAR(volumeOf(result) / measure(ball).volume, 1, 0.01);
 }
 
+/// A box with a tent on its roof: the ridge comes from the wall x = 0.1 and fades on the roof.
+/// Its slopes meet at 38 degrees there and the roof at 26.
+TriSurface boxWithTent(const Vec3& ridgeEnd) {
+    const std::vector<Vec3> points{{0.1, 0.1, 0.1},
+                                   {0.9, 0.1, 0.1},
+                                   {0.9, 0.9, 0.1},
+                                   {0.1, 0.9, 0.1},
+                                   {0.1, 0.1, 0.7},
+                                   {0.9, 0.1, 0.7},
+                                   {0.9, 0.9, 0.7},
+                                   {0.1, 0.9, 0.7},
+                                   {0.1, 0.5, 0.84},
+                                   ridgeEnd};
+    return surfaceOf(points,
+                     {{0, 3, 2, 1},
+                      {0, 1, 5, 4},
+                      {1, 2, 6, 5},
+                      {2, 3, 7, 6},
+                      {3, 0, 4, 8, 7},
+                      {4, 5, 9},
+                      {5, 6, 9},
+                      {6, 7, 9},
+                      {4, 9, 8},
+                      {7, 8, 9}});
+}
+
+/// Whether two points are the ends of an edge of a boundary face.
+bool isBoundaryEdge(const PolyMesh& mesh, const Vec3& a, const Vec3& b) {
+    for (Label f = mesh.internalFaceCount(); f < mesh.faceCount(); ++f) {
+        const auto face = mesh.faces[f];
+        for (std::size_t k = 0; k < face.size(); ++k)
+            if (mesh.points[index(face[k])] == a &&
+                mesh.points[index(face[(k + 1) % face.size()])] == b)
+                return true;
+    }
+    return false;
+}
+
+TEST(Trim, featureEdgesThatEndInsideACellAreEdgesOfTheMesh) {
+    for (const double x : {0.45, 0.52, 0.57, 0.63}) {
+        const TriSurface surface = boxWithTent({x, 0.5, 0.7});
+        TrimOptions options = exact();
+        options.deviation = 10;
+        // The grid planes x = 1/3 and 2/3 are beside the end of the ridge.
+        const PolyMesh mesh = trimmed(box(3, 3, 2), surface, options);
+        const double z = 0.84 - 0.14 * (1.0 / 3 - 0.1) / (x - 0.1);
+        bool isFound = false;
+        for (const Vec3& p : mesh.points)
+            if (norm(p - Vec3{1.0 / 3, 0.5, z}) < 1e-12)
+                isFound = isFound || isBoundaryEdge(mesh, p, {x, 0.5, 0.7});
+        EXPECT_TRUE(isFound) << x;
+    }
+}
+
+TEST(Trim, cornersOfTheSurfaceAreKeptHoweverLargeTheDeviation) {
+    // The front edge of the roof has a dent of 0.02 cells.
+    const TriSurface surface = surfaceOf({{0.1, 0.1, 0.1},
+                                          {0.9, 0.1, 0.1},
+                                          {0.9, 0.9, 0.1},
+                                          {0.1, 0.9, 0.1},
+                                          {0.1, 0.1, 0.7},
+                                          {0.9, 0.1, 0.7},
+                                          {0.9, 0.9, 0.7},
+                                          {0.1, 0.9, 0.7},
+                                          {0.40, 0.10, 0.7},
+                                          {0.41, 0.11, 0.7},
+                                          {0.42, 0.10, 0.7}},
+                                         {{0, 3, 2, 1},
+                                          {0, 1, 5, 10},
+                                          {0, 10, 9},
+                                          {0, 9, 8},
+                                          {0, 8, 4},
+                                          {1, 2, 6, 5},
+                                          {2, 3, 7, 6},
+                                          {3, 0, 4, 7},
+                                          {9, 10, 5, 6, 7, 4, 8}});
+    TrimOptions options = exact();
+    options.deviation = 10;
+    const PolyMesh mesh = trimmed(box(2, 2, 2), surface, options);
+    for (const Vec3& p : surface.points)
+        EXPECT_NE(std::ranges::find(mesh.points, p), mesh.points.end())
+            << p.x << ' ' << p.y << ' ' << p.z;
+}
+
 TEST(Trim, aSurfaceOutsideTheMeshLeavesNothing) {
     EXPECT_THROW(trim(box(2, 2, 2), octahedron({5, 5, 5}, 1), exact()), InputError);
 }

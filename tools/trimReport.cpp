@@ -36,6 +36,24 @@ void reportCells(ToolRun& tool, const TrimRun& run) {
     tool.report["holedFaces"] = s.holedFaces;
 }
 
+void reportAdjust(ToolRun& tool, const TrimRun& run) {
+    const AdjustCounts& a = run.trimmed.summary.adjusted;
+    if (run.options.adjust.how == Adjust::none) return;
+    if (run.options.adjust.how == Adjust::project)
+        tool.say("adjusted   {} nodes onto corners, {} onto edges, {} onto faces; {} refused",
+                 a.corners,
+                 a.edges,
+                 a.faces,
+                 a.refused);
+    else
+        tool.say("adjusted   {} nodes moved away from the surface; {} refused", a.away, a.refused);
+    tool.report["adjusted"] = {{"corners", a.corners},
+                               {"edges", a.edges},
+                               {"faces", a.faces},
+                               {"away", a.away},
+                               {"refused", a.refused}};
+}
+
 /// Corners of the surface's features, and which of them the mesh has, bit for bit.
 void reportFeatures(ToolRun& tool, const TrimRun& run) {
     const SurfaceFeatures features =
@@ -160,6 +178,7 @@ InitialMesh describe(const PolyMesh& mesh) {
 }
 
 void reportTrim(ToolRun& tool, const TrimRun& run) {
+    reportAdjust(tool, run);
     reportCells(tool, run);
     reportFeatures(tool, run);
     reportSize(tool, run);

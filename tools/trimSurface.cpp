@@ -40,7 +40,19 @@ const std::vector<Option> options{
      "OpenFOAM type of the surface's patches; default wall; patchTypes { REGION TYPE; } in the "
      "dictionary for single ones"},
     {"algorithm", "NAME", "mesh (default), the only one in this version"},
-    {"adjust", "HOW", "none (default), the only one in this version"}};
+    {"adjust",
+     "HOW",
+     "nodes near the surface: none (default) stay; project: go onto it, corners and feature edges "
+     "first; repel: go away from it"},
+    {"adjustDistance", "F", "how near, fraction of the shortest edge at the node; default 0.3"}};
+
+AdjustOptions adjustOptions(const Settings& settings) {
+    AdjustOptions adjust;
+    const std::string how = settings.word("adjust", {"none", "project", "repel"}, "none");
+    if (how != "none") adjust.how = how == "project" ? Adjust::project : Adjust::repel;
+    adjust.distance = settings.numberOr(adjust.distance, "adjustDistance", 0, 0.5);
+    return adjust;
+}
 
 /// Refuses by name what is planned but not there.
 void requireAvailable(const Settings& settings,
@@ -56,8 +68,8 @@ void requireAvailable(const Settings& settings,
 
 TrimOptions trimOptions(const Settings& settings) {
     requireAvailable(settings, "algorithm", {"mesh", "cell"});
-    requireAvailable(settings, "adjust", {"none", "project", "repel"});
     TrimOptions trim;
+    trim.adjust = adjustOptions(settings);
     trim.keep = settings.word("keep", {"inside", "outside"}, "inside") == "outside" ? Keep::outside
                                                                                     : Keep::inside;
     trim.deviation = settings.numberOr(trim.deviation, "deviation", 0);

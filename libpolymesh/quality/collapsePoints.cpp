@@ -14,15 +14,17 @@ namespace polymesh {
 
 namespace {
 
-/// The faces that have a point with another representative, ascending.
+/// The faces that have a point with another representative, and those that are none (pieces between
+/// a line of the surface and a bent face), ascending.
 std::vector<Label> facesToChange(const EditMesh& mesh, std::span<const Label> representative) {
     std::vector<std::uint8_t> change(mesh.faces.size(), 0);
     parallelFor(toLabel(mesh.faces.size()), [&](Label f) {
         const EditFace& face = mesh.faces[index(f)];
         if (face.isRemoved()) return;
-        change[index(f)] = std::any_of(face.points.begin(), face.points.end(), [&](Label p) {
-            return representative[index(p)] != p;
-        });
+        change[index(f)] = face.points.size() < 3 ||
+                           std::any_of(face.points.begin(), face.points.end(), [&](Label p) {
+                               return representative[index(p)] != p;
+                           });
     });
     std::vector<Label> faces;
     for (std::size_t f = 0; f < change.size(); ++f)

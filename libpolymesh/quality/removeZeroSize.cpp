@@ -136,13 +136,19 @@ bool removeLoneCell(MeshEditor& editor, Label c) {
     return true;
 }
 
+/// Without volume, or with so few faces that only their bend gives it one.
+bool isFlat(MeshEditor& editor, Label c) {
+    const EditCell& cell = editor.cell(c);
+    return cell.faces.size() < 4 ||
+           editor.cellGeometry(c).volume <= roundOffVolume * cell.size * cell.size * cell.size;
+}
+
 void mergeFlatCells(MeshEditor& editor, ZeroSizeCounts& counts) {
     editor.computeGeometry();
     for (Label c = 0; c < editor.cellCount(); ++c) {
         const EditCell& cell = editor.cell(c);
         if (cell.frozen || cell.isRemoved()) continue;
-        if (editor.cellGeometry(c).volume > roundOffVolume * cell.size * cell.size * cell.size)
-            continue;
+        if (!isFlat(editor, c)) continue;
         const bool merged = removeLoneCell(editor, c) || mergeFlatCell(editor, c);
         editor.commit();
         ++(merged ? counts.cells : counts.remainingCells);

@@ -32,7 +32,7 @@ public:
             parent_[i] = toLabel(i);
     }
 
-    std::vector<Label> run() {
+    std::vector<Label> run(std::span<const std::array<Label, 2>> joined) {
         for (Label e = 0; e < probe_.edgeCount(); ++e)
             for (Label x = arrangement_.crossings.offsets[index(e)];
                  x < arrangement_.crossings.offsets[index(e) + 1];
@@ -42,6 +42,8 @@ public:
             if (arrangement_.pierces.values[index(x)].zeros != 0) classifyPierce(x);
         parallelFor(cutter_.surface->pointCount(), [&](Label v) { joinNode(v); });
         joinMeetings();
+        for (const auto& [a, b] : joined)
+            join(a, b);
         for (std::size_t i = 0; i < parent_.size(); ++i)
             parent_[i] = root(toLabel(i));
         return std::move(parent_);
@@ -187,9 +189,11 @@ private:
 
 } // namespace
 
-std::vector<Label>
-mergeCoincident(const Probe& probe, const CuttingSurface& cutter, const Arrangement& arrangement) {
-    return Coincidence(probe, cutter, arrangement).run();
+std::vector<Label> mergeCoincident(const Probe& probe,
+                                   const CuttingSurface& cutter,
+                                   const Arrangement& arrangement,
+                                   std::span<const std::array<Label, 2>> joined) {
+    return Coincidence(probe, cutter, arrangement).run(joined);
 }
 
 } // namespace polymesh

@@ -244,8 +244,15 @@ private:
             if (stands != point) part_.representative[p] = editPoint_[index(stands)];
             rankFeaturePoint(toLabel(p), point);
         }
+        for (const SettledNode& node : trim_.settled)
+            if (const Label p = editPoint_[index(node.node)]; p >= 0) raise(p, rankOf(node.target));
         keepOneOfEach();
         rankByPatches();
+    }
+
+    static PointRank rankOf(AdjustTarget target) {
+        if (target == AdjustTarget::corner) return PointRank::corner;
+        return target == AdjustTarget::edge ? PointRank::feature : PointRank::surface;
     }
 
     /// Points of feature edges of the surface.

@@ -4,6 +4,7 @@
 
 #include "libpolymesh/quality/editMesh.h"
 #include "libpolymesh/surface/features.h"
+#include "libpolymesh/trim/adjustNodes.h"
 #include "libpolymesh/trim/trimmedCells.h"
 
 #include <cstdint>
@@ -39,6 +40,7 @@ struct TrimResult {
     const TrimmedCells& cells;
     const std::vector<std::int8_t>& cellWinding; // of cells outside the probe
     const std::vector<double>& cellSizes;        // of probed cells
+    const std::vector<SettledNode>& settled;     // local nodes on the surface
     double minEdge = 0;                          // edges may be collapsed below this, times size
 };
 

@@ -7,6 +7,7 @@
 #include "libpolymesh/quality/cleanUp.h"
 #include "libpolymesh/surface/features.h"
 #include "libpolymesh/surface/triangleBoxes.h"
+#include "libpolymesh/trim/adjustNodes.h"
 #include "libpolymesh/trim/arrangement.h"
 #include "libpolymesh/trim/assemble.h"
 #include "libpolymesh/trim/coincident.h"
@@ -15,6 +16,7 @@
 #include "libpolymesh/trim/loops.h"
 #include "libpolymesh/trim/nodes.h"
 #include "libpolymesh/trim/pieces.h"
+#include "libpolymesh/trim/settleNodes.h"
 #include "libpolymesh/trim/sharpness.h"
 #include "libpolymesh/trim/simplify.h"
 #include "libpolymesh/trim/trimmedCells.h"
@@ -83,11 +85,18 @@ void count(const EditPart& part, const PolyMesh& result, TrimSummary& summary) {
 
 Trimmed trim(PolyMesh mesh, TriSurface surface, const TrimOptions& options) {
     Trimmed result;
+    options.onStage("features");
     const bool isOutside = options.keep == Keep::outside;
-    options.onStage("candidates");
     if (isOutside) turnInsideOut(surface);
     CuttingSurface cutter{&surface, pairEdges(surface), triangleBoxes(surface)};
+    const SurfaceFeatures features = findFeatures(surface, cutter.edges, options.featureAngle);
+    if (options.adjust.how != Adjust::none) options.onStage("adjust");
+    const AdjustedNodes adjusted = adjustNodes(mesh, cutter, features, options.adjust);
+    result.summary.adjusted = adjusted.counts;
+
+    options.onStage("candidates");
     Probe probe = buildProbe(mesh, surface, cutter.triangleBoxes);
+    const std::vector<SettledNode> settled = probedNodes(probe, adjusted.settled);
 
     options.onStage("edges");
     Arrangement arrangement;
@@ -99,7 +108,7 @@ Trimmed trim(PolyMesh mesh, TriSurface surface, const TrimOptions& options) {
     options.onStage("faces");
     pierceFacets(probe, cutter, arrangement);
     locateVertices(mesh, probe, cutter, arrangement);
-    const PointPositions positions = placePoints(probe, cutter, arrangement);
+    PointPositions positions = placePoints(probe, cutter, arrangement);
     FaceLoops loops = walkFaces(probe, arrangement, positions);
     result.summary.holedFaces = loops.holeCount;
 
@@ -107,7 +116,6 @@ Trimmed trim(PolyMesh mesh, TriSurface surface, const TrimOptions& options) {
     const CellPieces pieces = cutTriangles(probe, cutter, arrangement);
 
     options.onStage("simplify");
-    const SurfaceFeatures features = findFeatures(surface, cutter.edges, options.featureAngle);
     const std::vector<double> cellSizes = probedCellSizes(probe);
     const Fidelity fidelity{options.deviation,
                             edgeSharpness(surface, cutter.edges, features),
@@ -118,6 +126,8 @@ Trimmed trim(PolyMesh mesh, TriSurface surface, const TrimOptions& options) {
     const TrimmedCells cells = divideCells(probe, positions, loops, boundary);
 
     options.onStage("clean up");
+    const auto joined = pointsAtNodes(probe, arrangement, positions, settled);
+    placeSettled(settled, mesh, probe, positions);
     EditPart part = buildEditPart({mesh,
                                    probe,
                                    cutter,
@@ -128,9 +138,10 @@ Trimmed trim(PolyMesh mesh, TriSurface surface, const TrimOptions& options) {
                                    cells,
                                    cellWinding,
                                    cellSizes,
+                                   settled,
                                    options.minEdge},
                                   features,
-                                  mergeCoincident(probe, cutter, arrangement));
+                                  mergeCoincident(probe, cutter, arrangement, joined));
     tidy(part, options, result.summary);
 
     options.onStage("assemble");

@@ -4,6 +4,7 @@
 
 #include "libpolymesh/mesh/polyMesh.h"
 #include "libpolymesh/surface/triSurface.h"
+#include "libpolymesh/trim/adjustOptions.h"
 
 #include <functional>
 #include <string>
@@ -22,6 +23,7 @@ struct TrimOptions {
     double featureAngle = 0.5236; // [rad] sharper edges of the surface are edges of the mesh
     double minEdge = 0.05;        // shorter edges are collapsed, fraction of the cell size; 0: off
     double minVolume = 0.05;      // smaller cells are merged, fraction of the cell; 0: off
+    AdjustOptions adjust;         // what is done to nodes near the surface beforehand
     bool mendsCells = true;       // split concave cells, repair what checkMesh would fail
     /// Patch type of each region; empty: wall for all.
     std::vector<std::string> regionTypes;
@@ -41,6 +43,7 @@ struct TrimSummary {
     Label holedFaces = 0;   // faces with a hole, cut open
     Label featureEdges = 0; // of the surface
     Label featureCorners = 0;
+    AdjustCounts adjusted; // nodes that were moved
 };
 
 struct Trimmed {

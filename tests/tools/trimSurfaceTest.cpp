@@ -149,6 +149,25 @@ TEST(TrimSurface, eachRegionHasItsPatchType) {
     EXPECT_EQ(mesh.patches[1].name + " " + mesh.patches[1].type, "right wall");
 }
 
+TEST(TrimSurface, adjustsNodesAndSaysHowMany) {
+    const TrimCase box(cuboid({.15, .15, .15}, {.7, .7, .7}));
+    const ProgramResult result = box.trim("-adjust project");
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_TRUE(contains(result.out,
+                         "adjusted   8 nodes onto corners, 24 onto edges, 24 onto faces"
+                         "; 0 refused"))
+        << result.out;
+    EXPECT_EQ(box.report()["adjusted"]["corners"], 8);
+    EXPECT_EQ(box.report()["adjusted"]["faces"], 24);
+    EXPECT_EQ(box.report()["cells"], 27);
+    box.restoreMesh();
+    ASSERT_EQ(box.trim("-adjust repel -adjustDistance 0.2").status, 0);
+    EXPECT_GT(box.report()["adjusted"]["away"], 0);
+    box.restoreMesh();
+    ASSERT_EQ(box.trim("-adjust project -adjustDistance 0.01").status, 0);
+    EXPECT_EQ(box.report()["adjusted"]["faces"], 0);
+}
+
 TEST(TrimSurface, wrongOptionsAreRefused) {
     const TrimCase box;
     const std::string call = "trimSurface -surface part.obj ";
@@ -163,6 +182,8 @@ TEST(TrimSurface, wrongOptionsAreRefused) {
     expectRefused(box, call + "-minEdge 0.7", {"-minEdge"});
     expectRefused(box, call + "-minVolume -0.1", {"-minVolume"});
     expectRefused(box, call + "-concave maybe", {"-concave"});
+    expectRefused(box, call + "-adjust projct", {"-adjust", "nearest: project"});
+    expectRefused(box, call + "-adjust project -adjustDistance 0.6", {"-adjustDistance"});
     expectRefused(box, call + "-patchType 'a b'", {"-patchType", "a b"});
     expectRefused(box, call + "-patchTyp wall", {"-patchTyp", "nearest is -patchType"});
     expectRefused(box, call + "-format asci", {"-format", "ascii"});
@@ -173,8 +194,6 @@ TEST(TrimSurface, whatThisVersionHasNotIsRefusedByName) {
     const TrimCase box;
     const std::string call = "trimSurface -surface part.obj ";
     expectRefused(box, call + "-algorithm cell", {"-algorithm", "cell is not available"});
-    expectRefused(box, call + "-adjust project", {"-adjust", "project is not available"});
-    expectRefused(box, call + "-adjust repel", {"-adjust", "repel is not available"});
     expectRefused(box, call + "-algorithm cells", {"-algorithm", "nearest: cell"});
     EXPECT_EQ(box.trim("-algorithm mesh -adjust none").status, 0);
 }

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: The polymesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "libpolymesh/mesh/polyMesh.h"
+#include "libpolymesh/surface/features.h"
+#include "libpolymesh/trim/adjustOptions.h"
+#include "libpolymesh/trim/arrangement.h"
+
+#include <vector>
+
+namespace polymesh {
+
+/// A node that was put onto the surface. In the mesh it stands a hair inside of it, so that the
+/// trim sees it on one side of all that is flat there; settleNodes puts it where it belongs.
+struct SettledNode {
+    Label node = -1;   // of the mesh
+    Vec3 place;        // on the surface [m]
+    double radius = 0; // what the surface makes nearer than this is the node itself [m]
+    AdjustTarget target = AdjustTarget::face;
+};
+
+struct AdjustedNodes {
+    std::vector<SettledNode> settled; // by ascending node
+    AdjustCounts counts;
+};
+
+/// Moves the nodes that are nearer to the surface than a fraction of the shortest edge at them:
+/// onto it (project: onto its corners, one node each; else its feature edges; else its triangles),
+/// or to that distance from it (repel).
+///
+/// Nodes of the mesh's own boundary stay in the planes of the boundary faces round them. Nodes that
+/// hang on an edge or a face of a larger cell are not moved but keep their place on it. A move is
+/// taken back, the least important first, as long as a cell has a part that is too small: see
+/// smallestPart in adjustGuard.h.
+/// Equal for any number of threads. Cost: some 20 ns for a point of the mesh, about a microsecond
+/// for one near the surface. Source: the paper, section 2; docs/adjust.md.
+AdjustedNodes adjustNodes(PolyMesh& mesh,
+                          const CuttingSurface& surface,
+                          const SurfaceFeatures& features,
+                          const AdjustOptions& options);
+
+} // namespace polymesh

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: The polymesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "libpolymesh/base/label.h"
+
+#include <cstdint>
+
+namespace polymesh {
+
+/// What is done to nodes of the initial mesh that are near the surface.
+enum class Adjust : std::uint8_t { none, project, repel };
+
+struct AdjustOptions {
+    Adjust how = Adjust::none;
+    double distance = 0.3; // nearer is near; fraction of the shortest edge at the node
+};
+
+/// Where a node was moved to; the first is the most important.
+enum class AdjustTarget : std::uint8_t { corner, edge, face, away };
+
+struct AdjustCounts {
+    Label corners = 0; // nodes moved onto corners of the surface
+    Label edges = 0;   // onto its feature edges
+    Label faces = 0;   // onto its triangles
+    Label away = 0;    // away from it
+    Label refused = 0; // left where they were for the sake of a cell
+};
+
+} // namespace polymesh

@@ -198,7 +198,9 @@ private:
                 if (features_.isCorner[index(v)] == 0) continue;
                 const Vec3 a = surface_.corner(t, (i + 1) % 3) - surface_.corner(t, i);
                 const Vec3 b = surface_.corner(t, (i + 2) % 3) - surface_.corner(t, i);
-                cornerNormals_[index(v)] += std::atan2(norm(cross(a, b)), dot(a, b)) * normal(t);
+                pairs.push_back({placeOf(v), t});
+                cornerNormals_[index(placeOf(v))] +=
+                    std::atan2(norm(cross(a, b)), dot(a, b)) * normal(t);
             }
         std::ranges::sort(pairs);
         std::vector<Label> triangles;

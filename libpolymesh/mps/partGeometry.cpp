@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/mps/partGeometry.h"
 
+#include "libpolymesh/mps/pointWithin.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <optional>
 
 namespace polymesh {
 
@@ -107,43 +107,6 @@ bool anyFrame(const PartPoints& parts, Use&& use) {
                               : anyPyramidFrame(parts, node, parts.apices[apex++], use))
             return true;
     return false;
-}
-
-/// The side of a plane on which a point must be: dot(normal, x - at) > 0; the normal is a unit.
-struct HalfSpace {
-    Vec3 normal;
-    Vec3 at;
-};
-
-/// A point within all half-spaces, if the search from `start` finds one: it moves over the worst
-/// plane, to a margin of `reach` [m] beyond it, then of less and less (the relaxation method of
-/// Agmon, Motzkin and Schoenberg).
-std::optional<Vec3>
-pointWithin(std::span<const HalfSpace> halfSpaces, const Vec3& start, double reach) {
-    constexpr int moves = 60;
-    constexpr int margins = 12;
-    Vec3 x = start;
-    double margin = 0.2 * reach;
-    for (int m = 0; m < margins; ++m, margin /= 3)
-        for (int step = 0; step < moves; ++step) {
-            double worst = std::numeric_limits<double>::max();
-            const HalfSpace* violated = nullptr;
-            for (const HalfSpace& h : halfSpaces) {
-                const double distance = dot(h.normal, x - h.at);
-                if (distance < worst) violated = &h;
-                worst = std::min(worst, distance);
-            }
-            if (violated == nullptr || worst >= margin) return x;
-            x += (1.2 * margin - worst) * violated->normal;
-        }
-    return std::nullopt;
-}
-
-/// Adds the half-space in which the third edge of a corner makes a right-handed frame with a x b.
-void addHalfSpace(const Vec3& a, const Vec3& b, const Vec3& at, std::vector<HalfSpace>& list) {
-    const Vec3 normal = cross(a, b);
-    const double length = norm(normal);
-    if (length > 0) list.push_back({normal / length, at});
 }
 
 double reachOf(const PartPoints& parts, const Vec3& from) {

@@ -1,0 +1,355 @@
+// SPDX-FileCopyrightText: The polymesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "libpolymesh/mps/cones.h"
+
+#include "libpolymesh/base/parallel.h"
+#include "libpolymesh/mps/pointWithin.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <tuple>
+
+namespace polymesh {
+
+namespace {
+
+using Polygon = std::vector<Label>;
+
+/// An edge of a cell, and its faces (places in the cell's row) on either side: `left` runs from a
+/// to b in its outward loop.
+struct CellEdge {
+    Label a;
+    Label b;
+    int left;
+    int right;
+};
+
+std::vector<Polygon> outwardLoops(const PolyMesh& mesh, const Rows<Label>& faces, Label cell) {
+    std::vector<Polygon> loops;
+    for (const Label face : faces[cell]) {
+        loops.emplace_back(mesh.faces[face].begin(), mesh.faces[face].end());
+        if (mesh.owner[index(face)] != cell) std::ranges::reverse(loops.back());
+    }
+    return loops;
+}
+
+std::vector<CellEdge> edgesOf(const std::vector<Polygon>& loops) {
+    std::vector<CellEdge> uses;
+    for (std::size_t f = 0; f < loops.size(); ++f)
+        for (std::size_t i = 0; i < loops[f].size(); ++i)
+            uses.push_back(
+                {loops[f][i], loops[f][(i + 1) % loops[f].size()], static_cast<int>(f), -1});
+    std::ranges::sort(uses, {}, [](const CellEdge& e) {
+        return std::tuple(std::min(e.a, e.b), std::max(e.a, e.b), e.a);
+    });
+    std::vector<CellEdge> edges;
+    for (std::size_t i = 0; i + 1 < uses.size(); i += 2)
+        edges.push_back({uses[i].a, uses[i].b, uses[i].left, uses[i + 1].left});
+    return edges;
+}
+
+/// Parts of a possible cell: how many, and whether one is inverted.
+struct Trial {
+    bool isGood = false;
+    std::int64_t cost = 0;
+};
+
+/// Tries groups of the faces of one cell.
+class ConeSearch {
+public:
+    ConeSearch(const PolyMesh& mesh, const SubdivisionPlan& plan, Label cell)
+        : mesh_(mesh),
+          plan_(plan),
+          cell_(cell),
+          loops_(outwardLoops(mesh, plan.cellFaces, cell)),
+          edges_(edgesOf(loops_)) {}
+
+    std::optional<CellCones> find() {
+        const Vec3 start = plan_.points[index(plan_.layout.firstCell + cell_)];
+        const auto centre = pointWithin(halfSpaces(), start, reach(start));
+        if (!centre) return std::nullopt;
+        centre_ = *centre;
+        groupOf_.resize(loops_.size());
+        std::iota(groupOf_.begin(), groupOf_.end(), 0);
+        for (std::size_t g = 0; g < loops_.size(); ++g)
+            trials_.push_back(tried({static_cast<int>(g)}));
+        while (joinBest()) {
+        }
+        return result();
+    }
+
+private:
+    /// Where the point sees every corner and every fan triangle of the faces from within.
+    std::vector<HalfSpace> halfSpaces() const {
+        std::vector<HalfSpace> list;
+        for (std::size_t f = 0; f < loops_.size(); ++f) {
+            const Polygon& loop = loops_[f];
+            const Label face = plan_.cellFaces[cell_][f];
+            const Vec3& middle = plan_.points[index(plan_.layout.firstFace + face)];
+            for (std::size_t i = 0; i < loop.size(); ++i) {
+                const Vec3& at = point(loop[i]);
+                const Vec3& before = point(loop[(i + loop.size() - 1) % loop.size()]);
+                const Vec3& after = point(loop[(i + 1) % loop.size()]);
+                addHalfSpace(before - at, after - at, at, list);
+                addHalfSpace(middle - at, after - at, at, list);
+            }
+        }
+        return list;
+    }
+
+    double reach(const Vec3& from) const {
+        double most = 0;
+        for (const Polygon& loop : loops_)
+            for (const Label p : loop)
+                most = std::max(most, norm(point(p) - from));
+        return most;
+    }
+
+    const Vec3& point(Label p) const { return mesh_.points[index(p)]; }
+
+    /// The cell over some faces as a mesh of its own.
+    PolyMesh coneMesh(const std::vector<int>& faces) const {
+        PolyMesh cone;
+        cone.cellCount = 1;
+        std::map<Label, Label> local;
+        const auto localOf = [&](Label p) {
+            const auto [at, isNew] = local.try_emplace(p, toLabel(cone.points.size()));
+            if (isNew) cone.points.push_back(p < 0 ? centre_ : point(p));
+            return at->second;
+        };
+        const auto add = [&](std::span<const Label> loop) {
+            Polygon face;
+            for (const Label p : loop)
+                face.push_back(localOf(p));
+            cone.faces.add(face);
+        };
+        const auto isIn = [&](int f) { return std::ranges::find(faces, f) != faces.end(); };
+        for (const int f : faces)
+            add(loops_[static_cast<std::size_t>(f)]);
+        for (const CellEdge& e : edges_) {
+            if (isIn(e.left) == isIn(e.right)) continue;
+            const Label from = isIn(e.left) ? e.b : e.a;
+            add(std::array<Label, 3>{from, isIn(e.left) ? e.a : e.b, -1});
+        }
+        cone.owner.assign(index(cone.faceCount()), 0);
+        return cone;
+    }
+
+    Trial tried(const std::vector<int>& faces) const {
+        const SubdivisionPlan plan = planSubdivision(coneMesh(faces));
+        return {plan.inverted.empty(), plan.hexahedra + plan.pyramids};
+    }
+
+    std::vector<int> facesOf(int group) const {
+        std::vector<int> faces;
+        for (std::size_t f = 0; f < groupOf_.size(); ++f)
+            if (groupOf_[f] == group) faces.push_back(static_cast<int>(f));
+        return faces;
+    }
+
+    /// What joining two groups gives, kept until one of them changes.
+    const Trial& joined(int g, int h) {
+        const auto [at, isNew] = pairs_.try_emplace({std::min(g, h), std::max(g, h)});
+        if (isNew) {
+            std::vector<int> faces = facesOf(g);
+            const std::vector<int> others = facesOf(h);
+            faces.insert(faces.end(), others.begin(), others.end());
+            at->second = tried(faces);
+        }
+        return at->second;
+    }
+
+    /// Joins the two groups that save most parts, or heal; false when none do.
+    bool joinBest() {
+        std::tuple<int, std::int64_t> best{0, 0}; // groups healed, parts saved
+        std::pair<int, int> chosen{-1, -1};
+        for (const CellEdge& e : edges_) {
+            const int g = groupOf_[static_cast<std::size_t>(e.left)];
+            const int h = groupOf_[static_cast<std::size_t>(e.right)];
+            if (g == h) continue;
+            const Trial& trial = joined(g, h);
+            if (!trial.isGood) continue;
+            const Trial& a = trials_[static_cast<std::size_t>(g)];
+            const Trial& b = trials_[static_cast<std::size_t>(h)];
+            const std::tuple gain{(a.isGood ? 0 : 1) + (b.isGood ? 0 : 1),
+                                  a.cost + b.cost - trial.cost};
+            if (gain <= best) continue;
+            best = gain;
+            chosen = std::minmax(g, h);
+        }
+        if (chosen.first < 0) return false;
+        join(chosen.first, chosen.second);
+        return true;
+    }
+
+    void join(int g, int h) {
+        trials_[static_cast<std::size_t>(g)] = joined(g, h);
+        std::ranges::replace(groupOf_, h, g);
+        std::erase_if(pairs_, [&](const auto& entry) {
+            const auto [a, b] = entry.first;
+            return a == g || b == g || a == h || b == h;
+        });
+    }
+
+    /// Numbers the groups from 0; none when one is bad.
+    std::optional<CellCones> result() const {
+        CellCones cones{cell_, centre_, std::vector<int>(groupOf_.size(), -1), 0};
+        std::map<int, int> number;
+        for (std::size_t f = 0; f < groupOf_.size(); ++f) {
+            if (!trials_[static_cast<std::size_t>(groupOf_[f])].isGood) return std::nullopt;
+            const auto [at, isNew] = number.try_emplace(groupOf_[f], cones.groupCount);
+            cones.groupCount += isNew ? 1 : 0;
+            cones.groupOf[f] = at->second;
+        }
+        return cones;
+    }
+
+    const PolyMesh& mesh_;
+    const SubdivisionPlan& plan_;
+    Label cell_;
+    std::vector<Polygon> loops_;
+    std::vector<CellEdge> edges_;
+    Vec3 centre_;
+    std::vector<int> groupOf_;
+    std::vector<Trial> trials_; // by group, which has the number of one of its faces
+    std::map<std::pair<int, int>, Trial> pairs_;
+};
+
+/// Internal faces out of order: with what they were.
+struct LooseFace {
+    Label owner;
+    Label neighbour;
+    Polygon loop;
+    Label source; // face of the old mesh, or -1
+    bool isTurned = false;
+};
+
+/// Gives the mesh these internal faces, sorted, before its boundary faces; `first` tells where
+/// each old face is now, `isTurned` which of them run the other way round.
+void setInternalFaces(PolyMesh& mesh, std::vector<LooseFace>& loose) {
+    std::ranges::stable_sort(
+        loose, {}, [](const LooseFace& f) { return std::pair(f.owner, f.neighbour); });
+    const Label oldInternal = mesh.internalFaceCount();
+    const Label shift = toLabel(loose.size()) - oldInternal;
+    std::vector<Label> place(index(mesh.faceCount()));
+    std::vector<char> isTurned(index(mesh.faceCount()), 0);
+    Rows<Label> faces;
+    std::vector<Label> owner;
+    mesh.neighbour.clear();
+    for (const LooseFace& f : loose) {
+        if (f.source >= 0) {
+            place[index(f.source)] = faces.size();
+            isTurned[index(f.source)] = f.isTurned ? 1 : 0;
+        }
+        faces.add(f.loop);
+        owner.push_back(f.owner);
+        mesh.neighbour.push_back(f.neighbour);
+    }
+    for (Label face = oldInternal; face < mesh.faceCount(); ++face) {
+        place[index(face)] = face + shift;
+        faces.add(std::as_const(mesh.faces)[face]);
+        owner.push_back(mesh.owner[index(face)]);
+    }
+    mesh.faces = std::move(faces);
+    mesh.owner = std::move(owner);
+    for (Patch& patch : mesh.patches)
+        patch.start += shift;
+    for (Zone& zone : mesh.faceZones) {
+        std::vector<std::pair<Label, bool>> sorted;
+        for (std::size_t i = 0; i < zone.labels.size(); ++i)
+            sorted.emplace_back(place[index(zone.labels[i])],
+                                (i < zone.flip.size() && zone.flip[i]) !=
+                                    (isTurned[index(zone.labels[i])] != 0));
+        std::ranges::sort(sorted);
+        zone.flip.resize(sorted.size());
+        for (std::size_t i = 0; i < sorted.size(); ++i) {
+            zone.labels[i] = sorted[i].first;
+            zone.flip[i] = sorted[i].second;
+        }
+    }
+}
+
+void extendZones(std::vector<Zone>& zones, std::span<const CellCones> cones, Label firstNew) {
+    for (Zone& zone : zones) {
+        Label next = firstNew;
+        const std::size_t oldSize = zone.labels.size();
+        for (const CellCones& c : cones) {
+            const auto end = zone.labels.begin() + static_cast<std::ptrdiff_t>(oldSize);
+            const bool isIn = std::binary_search(zone.labels.begin(), end, c.cell);
+            for (int g = 1; g < c.groupCount; ++g, ++next)
+                if (isIn) zone.labels.push_back(next);
+        }
+    }
+}
+
+} // namespace
+
+std::vector<CellCones>
+conesOf(const PolyMesh& mesh, const SubdivisionPlan& plan, std::span<const Label> cells) {
+    std::vector<std::optional<CellCones>> found(cells.size());
+    parallelBlocks(toLabel(cells.size()), 8, [&](Label, Label first, Label last) {
+        for (Label i = first; i < last; ++i)
+            found[index(i)] = ConeSearch(mesh, plan, cells[index(i)]).find();
+    });
+    std::vector<CellCones> cones;
+    for (auto& cone : found)
+        if (cone) cones.push_back(std::move(*cone));
+    return cones;
+}
+
+PolyMesh withCones(PolyMesh mesh, const Rows<Label>& cellFaces, std::span<const CellCones> cones) {
+    if (cones.empty()) return mesh;
+    std::vector<LooseFace> loose;
+    for (Label face = 0; face < mesh.internalFaceCount(); ++face)
+        loose.push_back({mesh.owner[index(face)],
+                         mesh.neighbour[index(face)],
+                         Polygon(mesh.faces[face].begin(), mesh.faces[face].end()),
+                         face});
+    const Label firstNew = mesh.cellCount;
+    for (const CellCones& c : cones) {
+        const std::vector<CellEdge> edges = edgesOf(outwardLoops(mesh, cellFaces, c.cell));
+        const auto cellOf = [&](int f) {
+            const int group = c.groupOf[static_cast<std::size_t>(f)];
+            return group == 0 ? c.cell : mesh.cellCount + group - 1;
+        };
+        for (const CellEdge& e : edges) {
+            const Label left = cellOf(e.left);
+            const Label right = cellOf(e.right);
+            // The triangle b, a, centre leaves the cell on the left.
+            if (left < right) loose.push_back({left, right, {e.b, e.a, mesh.pointCount()}, -1});
+            if (left > right) loose.push_back({right, left, {e.a, e.b, mesh.pointCount()}, -1});
+        }
+        mesh.points.push_back(c.centre);
+        mesh.cellCount += c.groupCount - 1;
+    }
+    Label next = firstNew;
+    std::vector<Label> owner = mesh.owner;
+    for (const CellCones& c : cones) {
+        for (std::size_t f = 0; f < c.groupOf.size(); ++f) {
+            const Label face = cellFaces[c.cell][f];
+            const Label cell = c.groupOf[f] == 0 ? c.cell : next + c.groupOf[f] - 1;
+            if (mesh.owner[index(face)] == c.cell)
+                owner[index(face)] = cell;
+            else
+                loose[index(face)].neighbour = cell;
+        }
+        next += c.groupCount - 1;
+    }
+    mesh.owner = std::move(owner);
+    for (Label face = 0; face < mesh.internalFaceCount(); ++face) {
+        LooseFace& f = loose[index(face)];
+        f.owner = mesh.owner[index(face)];
+        if (f.owner < f.neighbour) continue;
+        std::swap(f.owner, f.neighbour);
+        std::ranges::reverse(f.loop);
+        f.isTurned = true;
+    }
+    setInternalFaces(mesh, loose);
+    extendZones(mesh.cellZones, cones, firstNew);
+    return mesh;
+}
+
+} // namespace polymesh

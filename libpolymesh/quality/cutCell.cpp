@@ -54,14 +54,6 @@ bool placeCorners(MeshEditor& editor, CellLoop& loop) {
     return true;
 }
 
-bool cellHasEdge(const MeshEditor& editor, Label cell, Label a, Label b) {
-    const auto faces = editor.facesOfPoint(a);
-    return std::any_of(faces.begin(), faces.end(), [&](Label f) {
-        const EditFace& face = editor.face(f);
-        return (face.owner == cell || face.neighbour == cell) && hasEdge(face.points, a, b);
-    });
-}
-
 /// Cuts the faces along the chords of the loop. A chord that is an edge of a cell beyond already
 /// would pinch that cell.
 bool cutFaces(MeshEditor& editor, Label cell, const CellLoop& loop) {
@@ -138,6 +130,14 @@ bool runsForward(const EditFace& face, Label cell, Label a, Label b) {
 }
 
 } // namespace
+
+bool cellHasEdge(const MeshEditor& editor, Label cell, Label a, Label b) {
+    const auto faces = editor.facesOfPoint(a);
+    return std::any_of(faces.begin(), faces.end(), [&](Label f) {
+        const EditFace& face = editor.face(f);
+        return (face.owner == cell || face.neighbour == cell) && hasEdge(face.points, a, b);
+    });
+}
 
 bool splitFace(MeshEditor& editor, Label f, Label a, Label b) {
     if (editor.isFrozenFace(f)) return false;

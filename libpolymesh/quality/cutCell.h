@@ -12,6 +12,9 @@ namespace polymesh {
 /// Requires: the cells that share the faces are balls; then they and both parts are balls after it.
 Label cutCell(MeshEditor& editor, Label cell, const CellLoop& loop);
 
+/// True when a face of the cell has the edge a-b.
+bool cellHasEdge(const MeshEditor& editor, Label cell, Label a, Label b);
+
 /// Cuts a face from one of its points to another that is not next to it. False when a part would
 /// have fewer than 3 points or the face is frozen.
 bool splitFace(MeshEditor& editor, Label face, Label a, Label b);

@@ -162,7 +162,8 @@ std::vector<Cut> possibleCuts(MeshEditor& editor,
     for (std::size_t i = 0; i < std::min(reflex.size(), maxEdges); ++i) {
         const EdgeList forbidden = forbiddenEdges(editor, reflex[i], reflex);
         for (const EdgePlane& plane : planesAt(editor, cell, reflex[i]))
-            for (const double snap : {0.25, 0.05}) {
+            for (const double snap : {0.25, 0.05, 0.0}) {
+                if (snap == 0 && !aim.wantsConvex) continue;
                 if (!budget.spend(editor.cell(cell).faces.size())) return cuts;
                 const auto loop = finder.find(plane, snap, forbidden);
                 if (!loop || !isNew(*loop)) continue;

@@ -38,7 +38,8 @@ struct Cut {
 /// What cuts are for.
 struct CutAim {
     double tolerance = 0;     // [rad] an edge with a larger excess is concave
-    bool wantsConvex = false; // cuts are judged by the concavity that they leave too
+    bool wantsConvex = false; // cuts are judged by the concavity that they leave too, and planes
+                              // are followed exactly as well
 };
 
 /// All cuts that planes at the reflex edges of a cell allow: on along either face of the edge and

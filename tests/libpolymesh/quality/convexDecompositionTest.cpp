@@ -1,0 +1,238 @@
+// SPDX-FileCopyrightText: The polymesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "libpolymesh/quality/convexDecomposition.h"
+
+#include "libpolymesh/mesh/cellGeometry.h"
+#include "libpolymesh/mesh/validate.h"
+#include "tests/support/meshes.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+namespace polymesh {
+
+namespace {
+
+constexpr double angle = 0.1; // [rad]
+
+std::vector<double> volumesByOrigin(const PolyMesh& mesh, const std::vector<Label>& origins) {
+    const MeshGeometry geometry = computeGeometry(mesh);
+    std::vector<double> volumes;
+    for (std::size_t c = 0; c < origins.size(); ++c) {
+        volumes.resize(std::max(volumes.size(), index(origins[c]) + 1), 0);
+        volumes[index(origins[c])] += geometry.cellVolumes[c];
+    }
+    return volumes;
+}
+
+std::vector<Label> allCells(const PolyMesh& mesh) {
+    std::vector<Label> cells(index(mesh.cellCount));
+    std::iota(cells.begin(), cells.end(), 0);
+    return cells;
+}
+
+/// Decomposes all cells and checks what always has to hold.
+DecompositionCounts decomposeAll(PolyMesh& mesh) {
+    const std::vector<double> before = volumesByOrigin(mesh, allCells(mesh));
+    std::vector<Label> origins;
+    const DecompositionCounts counts = decomposeCells(mesh, allCells(mesh), {angle, 40}, &origins);
+    EXPECT_EQ(validate(mesh), std::vector<Defect>());
+    EXPECT_EQ(concaveCells(mesh, angle), counts.remaining);
+    EXPECT_EQ(toLabel(origins.size()), mesh.cellCount);
+    const std::vector<double> after = volumesByOrigin(mesh, origins);
+    EXPECT_EQ(after.size(), before.size());
+    for (std::size_t c = 0; c < before.size(); ++c)
+        EXPECT_NEAR(after[c], before[c], 1e-12 * before[c]) << c;
+    for (const double volume : computeGeometry(mesh).cellVolumes)
+        EXPECT_GT(volume, 0);
+    return counts;
+}
+
+/// A prism of height 1 on a polygon that runs counter-clockwise.
+PolyMesh prismOn(const std::vector<std::array<double, 2>>& corners, Label layers = 1) {
+    const Label n = toLabel(corners.size());
+    std::vector<Vec3> points;
+    for (Label k = 0; k <= layers; ++k)
+        for (const auto& c : corners)
+            points.push_back({c[0], c[1], static_cast<double>(k)});
+    std::vector<test::Polyhedron> cells;
+    for (Label k = 0; k < layers; ++k) {
+        test::Polyhedron cell(2);
+        for (Label i = 0; i < n; ++i) {
+            cell[0].push_back(k * n + n - 1 - i);
+            cell[1].push_back((k + 1) * n + i);
+            cell.push_back(
+                {k * n + i, k * n + (i + 1) % n, (k + 1) * n + (i + 1) % n, (k + 1) * n + i});
+        }
+        cells.push_back(cell);
+    }
+    return test::meshOf(points, cells);
+}
+
+const std::vector<std::array<double, 2>> crossCorners{
+    {1, 0}, {2, 0}, {2, 1}, {3, 1}, {3, 2}, {2, 2}, {2, 3}, {1, 3}, {1, 2}, {0, 2}, {0, 1}, {1, 1}};
+
+/// The hull of the unit voxels of a 3 x 3 x 3 block for which `isIn`: one cell whose faces are the
+/// unit squares between what is in and what is out. Which must be a ball.
+PolyMesh voxelCell(const std::function<bool(int, int, int)>& isIn) {
+    const auto in = [&](int i, int j, int k) {
+        return i >= 0 && j >= 0 && k >= 0 && i < 3 && j < 3 && k < 3 && isIn(i, j, k);
+    };
+    std::map<std::array<int, 3>, Label> labels;
+    std::vector<Vec3> points;
+    const auto at = [&](int i, int j, int k) {
+        const auto [found, isNew] = labels.try_emplace({i, j, k}, toLabel(points.size()));
+        if (isNew)
+            points.push_back(
+                {static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)});
+        return found->second;
+    };
+    test::Polyhedron cell;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            for (int k = 0; k < 3; ++k) {
+                if (!in(i, j, k)) continue;
+                const std::array<std::array<int, 3>, 8> v{{{i, j, k},
+                                                           {i + 1, j, k},
+                                                           {i + 1, j + 1, k},
+                                                           {i, j + 1, k},
+                                                           {i, j, k + 1},
+                                                           {i + 1, j, k + 1},
+                                                           {i + 1, j + 1, k + 1},
+                                                           {i, j + 1, k + 1}}};
+                const auto square = [&](int a, int b, int c, int d) {
+                    test::Polygon loop;
+                    for (const int x : {a, b, c, d}) {
+                        const auto& p = v[static_cast<std::size_t>(x)];
+                        loop.push_back(at(p[0], p[1], p[2]));
+                    }
+                    cell.push_back(loop);
+                };
+                if (!in(i - 1, j, k)) square(0, 4, 7, 3);
+                if (!in(i + 1, j, k)) square(1, 2, 6, 5);
+                if (!in(i, j - 1, k)) square(0, 1, 5, 4);
+                if (!in(i, j + 1, k)) square(3, 7, 6, 2);
+                if (!in(i, j, k - 1)) square(0, 3, 2, 1);
+                if (!in(i, j, k + 1)) square(4, 5, 6, 7);
+            }
+    return test::meshOf(points, {cell});
+}
+
+/// Two triangles, the upper turned against the lower, and for each side the diagonal that makes it
+/// fold inwards.
+PolyMesh twistedPrism(double twist) {
+    std::vector<Vec3> points;
+    for (const double z : {0.0, 1.0})
+        for (int i = 0; i < 3; ++i) {
+            const double a = 2 * std::numbers::pi / 3 * i + z * twist;
+            points.push_back({std::cos(a), std::sin(a), z});
+        }
+    test::Polyhedron cell{{2, 1, 0}, {3, 4, 5}};
+    for (Label i = 0; i < 3; ++i) {
+        const Label next = (i + 1) % 3;
+        cell.push_back({i, next, i + 3});
+        cell.push_back({next, next + 3, i + 3});
+    }
+    return test::meshOf(points, {cell});
+}
+
+TEST(ConcaveCells, areThoseWithReflexEdgesOrConcaveFaces) {
+    EXPECT_EQ(concaveCells(test::lShapedCell(), angle), std::vector<Label>{0});
+    EXPECT_EQ(concaveCells(test::box(3, 2, 2), angle), std::vector<Label>());
+    EXPECT_EQ(concaveCells(test::hangingNodes(), angle), std::vector<Label>());
+    EXPECT_EQ(concaveCells(prismOn(crossCorners, 2), angle), (std::vector<Label>{0, 1}));
+}
+
+TEST(DecomposeCells, leavesConvexCellsAsTheyAre) {
+    for (PolyMesh mesh :
+         {test::box(3, 2, 2), test::pyramid(), test::hangingNodes(), test::prismFan(7)}) {
+        const PolyMesh before = mesh;
+        EXPECT_EQ(decomposeAll(mesh).concaveCells, 0);
+        EXPECT_EQ(mesh, before);
+    }
+}
+
+TEST(DecomposeCells, cutsAnLInTwo) {
+    PolyMesh mesh = test::lShapedCell();
+    const DecompositionCounts counts = decomposeAll(mesh);
+    EXPECT_EQ(counts.cuts, 1);
+    EXPECT_EQ(counts.remaining, std::vector<Label>());
+    EXPECT_EQ(mesh.cellCount, 2);
+}
+
+TEST(DecomposeCells, cutsACrossAlikeInAllLayers) {
+    PolyMesh mesh = prismOn(crossCorners, 3);
+    const DecompositionCounts counts = decomposeAll(mesh);
+    EXPECT_EQ(counts.concaveCells, 3);
+    EXPECT_EQ(counts.remaining, std::vector<Label>());
+    EXPECT_LE(mesh.cellCount, 15);
+}
+
+TEST(DecomposeCells, handlesReflexEdgesThatMeetAtACorner) {
+    // A corner voxel is missing: three meet. Two next to it too: two meet, in an L.
+    PolyMesh three = voxelCell([](int i, int j, int k) {
+        return i < 2 && j < 2 && k < 2 && !(i == 1 && j == 1 && k == 1);
+    });
+    EXPECT_EQ(decomposeAll(three).remaining, std::vector<Label>());
+    PolyMesh two = voxelCell(
+        [](int i, int j, int k) { return k == 0 ? i < 2 && j < 2 : k == 1 && i == 0 && j == 0; });
+    EXPECT_EQ(decomposeAll(two).remaining, std::vector<Label>());
+}
+
+TEST(DecomposeCells, handlesTwistedPrisms) {
+    for (const double twist : {0.3, 0.5, 0.8, -0.3, -0.5}) {
+        PolyMesh mesh = twistedPrism(twist);
+        EXPECT_EQ(decomposeAll(mesh).remaining, std::vector<Label>()) << twist;
+    }
+}
+
+TEST(DecomposeCells, handlesRandomUnionsOfVoxels) {
+    std::mt19937 random(7);
+    int tried = 0;
+    int left = 0;
+    for (int n = 0; tried < 60; ++n) {
+        std::array<bool, 27> in{};
+        for (bool& voxel : in)
+            voxel = random() % 100 < 60;
+        PolyMesh mesh = voxelCell(
+            [&](int i, int j, int k) { return in[static_cast<std::size_t>(i + 3 * (j + 3 * k))]; });
+        // Only balls: V - E + F = 2, no point or edge at which it hangs together, in one piece.
+        if (!validate(mesh).empty()) continue;
+        std::set<std::pair<Label, Label>> edges;
+        for (Label f = 0; f < mesh.faceCount(); ++f)
+            for (std::size_t i = 0; i < 4; ++i)
+                edges.insert(std::minmax(mesh.faces[f][i], mesh.faces[f][(i + 1) % 4]));
+        if (mesh.pointCount() + mesh.faceCount() != toLabel(edges.size()) + 2) continue;
+        ++tried;
+        left += !decomposeAll(mesh).remaining.empty();
+    }
+    EXPECT_EQ(left, 0);
+}
+
+TEST(DecomposeCells, keepsPatchesAndZones) {
+    PolyMesh mesh = prismOn(crossCorners, 2);
+    mesh.cellZones = {{"upper", {1}, {}}, {"all", {0, 1}, {}}};
+    mesh.faceZones = {{"between", {0}, {true}}};
+    const double area = norm(computeGeometry(mesh).faceAreas[0]);
+    std::vector<Label> origins;
+    decomposeCells(mesh, allCells(mesh), {angle, 40}, &origins);
+    ASSERT_EQ(validate(mesh), std::vector<Defect>());
+    std::vector<Label> upper;
+    for (std::size_t c = 0; c < origins.size(); ++c)
+        if (origins[c] == 1) upper.push_back(toLabel(c));
+    EXPECT_EQ(mesh.cellZones[0].labels, upper);
+    EXPECT_EQ(mesh.cellZones[1].labels, allCells(mesh));
+    Vec3 sum;
+    const MeshGeometry geometry = computeGeometry(mesh);
+    ASSERT_EQ(mesh.faceZones[0].labels.size(), mesh.faceZones[0].flip.size());
+    for (std::size_t i = 0; i < mesh.faceZones[0].labels.size(); ++i)
+        sum += (mesh.faceZones[0].flip[i] ? -1.0 : 1.0) *
+               geometry.faceAreas[index(mesh.faceZones[0].labels[i])];
+    EXPECT_NEAR(norm(sum), area, 1e-12);
+    EXPECT_LT(sum.z, 0); // as it was: flipped
+}
+
+} // namespace
+
+} // namespace polymesh

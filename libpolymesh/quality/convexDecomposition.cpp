@@ -81,7 +81,7 @@ private:
                 best = &candidate;
         if (!best) return -1;
         const Label oldPoints = toLabel(editor_.mesh().points.size());
-        const Label added = cutCell(editor_, cell, best->loop);
+        const Label added = cutCell(editor_, cell, best->loops);
         counts_.edgePoints += toLabel(editor_.mesh().points.size()) - oldPoints;
         ++counts_.cuts;
         return added;

@@ -6,7 +6,7 @@
 #include "libpolymesh/quality/polygons.h"
 
 #include <algorithm>
-#include <array>
+#include <span>
 
 namespace polymesh {
 
@@ -86,42 +86,62 @@ bool isSimple(const Polygon& loop) {
     return std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
 }
 
-/// The faces of the cell on the side of the loop where its first face is not. Empty unless each
-/// edge has two faces and the loop runs along edges of the cell.
-std::vector<Label> facesBeyond(const MeshEditor& editor, Label cell, const Polygon& loop) {
-    thread_local std::vector<EdgeUse> uses;
-    thread_local std::vector<std::pair<Label, Label>> joined; // faces with a common edge, both ways
-    thread_local std::vector<std::pair<Label, Label>> loopEdges;
-    collectEdgeUses(editor.mesh(), cell, uses);
-    loopEdges.clear();
-    for (std::size_t i = 0; i < loop.size(); ++i)
-        loopEdges.push_back(std::minmax({loop[i], loop[(i + 1) % loop.size()]}));
-    std::sort(loopEdges.begin(), loopEdges.end());
-    joined.clear();
-    std::size_t met = 0;
-    for (std::size_t i = 0; i + 1 < uses.size(); i += 2) {
-        const std::pair<Label, Label> edge{uses[i].low, uses[i].high};
-        if (edge != std::pair{uses[i + 1].low, uses[i + 1].high}) return {};
-        if (std::binary_search(loopEdges.begin(), loopEdges.end(), edge)) {
-            ++met;
-            continue;
-        }
-        joined.emplace_back(uses[i].face, uses[i + 1].face);
-        joined.emplace_back(uses[i + 1].face, uses[i].face);
-    }
-    if (met != loop.size()) return {};
-    std::sort(joined.begin(), joined.end());
-    std::vector<Label> beyond(editor.cell(cell).faces.begin(), editor.cell(cell).faces.end());
-    std::vector<Label> reached{beyond.front()};
-    std::sort(beyond.begin(), beyond.end());
-    std::erase(beyond, reached.front());
+using FacePairs = std::vector<std::pair<Label, Label>>;
+
+/// Moves what can be reached from `start` over pairs of faces out of `rest`, which is sorted.
+void takeReached(Label start, const FacePairs& joined, std::vector<Label>& rest) {
+    std::vector<Label> reached{start};
+    std::erase(rest, start);
     for (std::size_t next = 0; next < reached.size(); ++next)
         for (auto at = std::lower_bound(
                  joined.begin(), joined.end(), std::pair{reached[next], Label{-1}});
              at != joined.end() && at->first == reached[next];
              ++at)
-            if (std::erase(beyond, at->second) > 0) reached.push_back(at->second);
-    return beyond;
+            if (std::erase(rest, at->second) > 0) reached.push_back(at->second);
+}
+
+/// The faces of the cell on the side of the loops where its first face is not. Empty unless each
+/// edge has two faces, the loops run along edges of the cell and part its faces in two.
+std::vector<Label>
+facesBeyond(const MeshEditor& editor, Label cell, std::span<const Polygon> loops) {
+    thread_local std::vector<EdgeUse> uses;
+    thread_local FacePairs joined; // faces with a common edge, both ways
+    thread_local FacePairs parted; // faces on the two sides of a loop
+    thread_local std::vector<std::pair<Label, Label>> loopEdges;
+    collectEdgeUses(editor.mesh(), cell, uses);
+    loopEdges.clear();
+    for (const Polygon& loop : loops)
+        for (std::size_t i = 0; i < loop.size(); ++i)
+            loopEdges.push_back(std::minmax({loop[i], loop[(i + 1) % loop.size()]}));
+    std::sort(loopEdges.begin(), loopEdges.end());
+    joined.clear();
+    parted.clear();
+    for (std::size_t i = 0; i + 1 < uses.size(); i += 2) {
+        const std::pair<Label, Label> edge{uses[i].low, uses[i].high};
+        if (edge != std::pair{uses[i + 1].low, uses[i + 1].high}) return {};
+        if (std::binary_search(loopEdges.begin(), loopEdges.end(), edge)) {
+            parted.emplace_back(uses[i].face, uses[i + 1].face);
+            continue;
+        }
+        joined.emplace_back(uses[i].face, uses[i + 1].face);
+        joined.emplace_back(uses[i + 1].face, uses[i].face);
+    }
+    if (parted.size() != loopEdges.size()) return {};
+    std::sort(joined.begin(), joined.end());
+    std::vector<Label> beyond(editor.cell(cell).faces.begin(), editor.cell(cell).faces.end());
+    const Label first = beyond.front();
+    std::sort(beyond.begin(), beyond.end());
+    takeReached(first, joined, beyond);
+    if (beyond.empty()) return {};
+    std::vector<Label> third = beyond;
+    takeReached(beyond.front(), joined, third);
+    const auto isBeyond = [&](Label f) {
+        return std::binary_search(beyond.begin(), beyond.end(), f);
+    };
+    const bool inTwo = third.empty() && std::all_of(parted.begin(), parted.end(), [&](auto pair) {
+                           return isBeyond(pair.first) != isBeyond(pair.second);
+                       });
+    return inTwo ? beyond : std::vector<Label>{};
 }
 
 /// True when the outward face `f` of the cell runs along the edge from a to b.
@@ -154,31 +174,45 @@ bool splitFace(MeshEditor& editor, Label f, Label a, Label b) {
     return true;
 }
 
-Label cutCell(MeshEditor& editor, Label cell, const CellLoop& wanted) {
-    CellLoop loop = wanted;
-    if (loop.size() < 3 || !placeCorners(editor, loop) || !cutFaces(editor, cell, loop)) return -1;
-    EditFace cut;
-    for (const LoopCorner& corner : loop)
-        cut.points.push_back(corner.point);
-    if (!isSimple(cut.points)) return -1;
+Label cutCell(MeshEditor& editor, Label cell, const CellCut& wanted) {
+    std::vector<Polygon> loops;
+    Polygon all;
+    for (CellLoop loop : wanted) {
+        if (loop.size() < 3 || !placeCorners(editor, loop) || !cutFaces(editor, cell, loop))
+            return -1;
+        loops.emplace_back();
+        for (const LoopCorner& corner : loop)
+            loops.back().push_back(corner.point);
+        all.insert(all.end(), loops.back().begin(), loops.back().end());
+    }
+    if (!isSimple(all)) return -1;
     // A closed curve without repeated points cuts the surface of a ball into two discs, so that
     // with it as a face both sides are balls again.
-    const std::vector<Label> beyond = facesBeyond(editor, cell, cut.points);
+    const std::vector<Label> beyond = facesBeyond(editor, cell, loops);
     if (beyond.size() < 3 || beyond.size() + 3 > editor.cell(cell).faces.size()) return -1;
     const Label added = editor.addPartOf(cell);
-    cut.owner = added;
-    cut.neighbour = cell;
     for (const Label f : beyond)
         editor.giveFace(f, cell, added);
-    // The cut runs along its edges against the faces beyond.
-    for (const Label f : beyond)
-        if (hasEdge(editor.face(f).points, cut.points[0], cut.points[1])) {
-            if (runsForward(editor.face(f), added, cut.points[0], cut.points[1]))
-                std::reverse(cut.points.begin(), cut.points.end());
-            break;
-        }
-    editor.addFace(cut);
+    Vec3 sum;
+    for (Polygon& loop : loops) {
+        // The cut runs along its edges against the faces beyond.
+        for (const Label f : beyond)
+            if (hasEdge(editor.face(f).points, loop[0], loop[1])) {
+                if (runsForward(editor.face(f), added, loop[0], loop[1]))
+                    std::reverse(loop.begin(), loop.end());
+                break;
+            }
+        const Label f = editor.addFace({loop, added, cell, -1});
+        // Faces that look opposite ways would be the outer and the inner edge of a ring.
+        const Vec3 area = editor.faceGeometry(f).area;
+        if (dot(area, sum) < 0) return -1;
+        sum += area;
+    }
     return added;
+}
+
+Label cutCell(MeshEditor& editor, Label cell, const CellLoop& loop) {
+    return cutCell(editor, cell, CellCut{loop});
 }
 
 } // namespace polymesh

@@ -66,6 +66,7 @@ LoopFinder::LoopFinder(MeshEditor& editor, Label cell)
         points_.push_back({p, 0, false, 0});
     for (const auto& [low, high] : edges)
         edges_.push_back({placeOf(low), placeOf(high), false, 0});
+    isBall_ = points_.size() + editor.cell(cell).faces.size() == edges_.size() + 2;
 }
 
 std::optional<CellLoop>
@@ -78,7 +79,31 @@ LoopFinder::find(const EdgePlane& plane, double snap, const EdgeList& forbidden)
     addEdgeSteps(forbidden);
     for (const Label f : editor_.cell(cell_).faces)
         addFaceSteps(f);
-    return shortestLoop();
+    const std::size_t start = points_[placeOf(plane_.b)].corner;
+    const std::size_t goal = points_[placeOf(plane_.a)].corner;
+    return shortestWay(start, goal, std::vector<bool>(corners_.size(), false));
+}
+
+std::vector<CellLoop> LoopFinder::loopsBeside(const CellLoop& found) const {
+    std::vector<bool> taken(corners_.size(), false);
+    const auto take = [&](const CellLoop& loop) {
+        for (const LoopCorner& corner : loop)
+            for (std::size_t i = 0; i < corners_.size(); ++i)
+                if (corners_[i].point == corner.point && corners_[i].low == corner.low &&
+                    corners_[i].high == corner.high)
+                    taken[i] = true;
+    };
+    take(found);
+    std::vector<CellLoop> loops;
+    for (const Step& step : steps_) {
+        if (step.face < 0 || taken[step.from] || taken[step.to]) continue;
+        auto loop = shortestWay(step.from, step.to, taken);
+        if (!loop || loop->size() < 3) continue;
+        loop->back().faceToNext = step.face;
+        take(*loop);
+        loops.push_back(std::move(*loop));
+    }
+    return loops;
 }
 
 std::size_t LoopFinder::placeOf(Label p) const {
@@ -192,14 +217,14 @@ double LoopFinder::weightOf(std::size_t corner) const {
     return 1 + outOfPlane * std::abs(corners_[corner].offPlane) / size_;
 }
 
-/// Dijkstra's search from b back to a over the steps; few corners, so no queue is needed.
-std::optional<CellLoop> LoopFinder::shortestLoop() const {
+/// Dijkstra's search from `start` back to `goal` over the steps, without the step that joins them
+/// and corners that are taken; few corners, so no queue is needed.
+std::optional<CellLoop>
+LoopFinder::shortestWay(std::size_t start, std::size_t goal, const std::vector<bool>& taken) const {
     constexpr double far = std::numeric_limits<double>::infinity();
-    const std::size_t start = points_[placeOf(plane_.b)].corner;
-    const std::size_t goal = points_[placeOf(plane_.a)].corner;
     std::vector<double> distance(corners_.size(), far);
     std::vector<std::size_t> stepTo(corners_.size(), 0);
-    std::vector<bool> done(corners_.size(), false);
+    std::vector<bool> done = taken;
     distance[start] = 0;
     while (true) {
         std::size_t at = corners_.size();
@@ -212,6 +237,7 @@ std::optional<CellLoop> LoopFinder::shortestLoop() const {
         for (std::size_t s = 0; s < steps_.size(); ++s) {
             if (steps_[s].from != at && steps_[s].to != at) continue;
             const std::size_t other = steps_[s].from == at ? steps_[s].to : steps_[s].from;
+            if (taken[other] || (at == start && other == goal)) continue;
             if (distance[at] + weightOf(other) >= distance[other]) continue;
             distance[other] = distance[at] + weightOf(other);
             stepTo[other] = s;

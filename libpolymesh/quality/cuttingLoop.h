@@ -24,6 +24,10 @@ struct LoopCorner {
 /// A closed walk on the surface of a cell, along edges and across faces, that cuts it in two.
 using CellLoop = std::vector<LoopCorner>;
 
+/// Loops without common points that together cut a cell in two: one for a ball; two for a cell with
+/// a hole through it that is cut open.
+using CellCut = std::vector<CellLoop>;
+
 /// A plane through an edge of a cell.
 struct EdgePlane {
     Label a = -1; // the edge's points
@@ -47,6 +51,13 @@ public:
     /// Cost: linear in the corners of the cell but for the search, which is quadratic in those of
     /// the loop's plane.
     std::optional<CellLoop> find(const EdgePlane& plane, double snap, const EdgeList& forbidden);
+
+    /// Further loops in the plane of the loop that was found last, which have no point in common
+    /// with it nor with each other.
+    std::vector<CellLoop> loopsBeside(const CellLoop& found) const;
+
+    /// True when a closed curve on the cell always cuts it in two: no holes through it.
+    bool isBall() const { return isBall_; }
 
 private:
     struct CellPoint {
@@ -78,13 +89,15 @@ private:
     void addEdgeSteps(const EdgeList& forbidden);
     void addFaceSteps(Label f);
     double weightOf(std::size_t corner) const;
-    std::optional<CellLoop> shortestLoop() const;
+    std::optional<CellLoop>
+    shortestWay(std::size_t start, std::size_t goal, const std::vector<bool>& taken) const;
     CellLoop
     walkBack(std::size_t start, std::size_t goal, const std::vector<std::size_t>& stepTo) const;
 
     MeshEditor& editor_;
     Label cell_;
     double size_;
+    bool isBall_ = false;
     EdgePlane plane_;
     std::vector<CellPoint> points_; // by label
     std::vector<CellEdge> edges_;   // by labels

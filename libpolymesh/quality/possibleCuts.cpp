@@ -67,17 +67,17 @@ EdgeList forbiddenEdges(const MeshEditor& editor,
 /// Tries a cut and takes it back; what it would leave, if it can be made.
 std::optional<Cut> tryCut(MeshEditor& editor,
                           Label cell,
-                          const CellLoop& loop,
+                          const CellCut& loops,
                           std::span<const Label> region,
                           const CutAim& aim) {
     const MeshEditor::Mark mark = editor.mark();
     std::optional<Cut> cut;
-    const Label added = cutCell(editor, cell, loop);
+    const Label added = cutCell(editor, cell, loops);
     if (added >= 0 && editor.cellGeometry(added).volume > 0 &&
         editor.cellGeometry(cell).volume > 0) {
         std::vector<Label> all(region.begin(), region.end());
         all.push_back(added);
-        cut = Cut{loop, badnessOf(editor, all), 0};
+        cut = Cut{loops, badnessOf(editor, all), 0};
         if (aim.wantsConvex)
             cut->excess = totalExcess(editor, cell, aim.tolerance) +
                           totalExcess(editor, added, aim.tolerance);
@@ -108,6 +108,91 @@ bool isSameLoop(const CellLoop& a, const CellLoop& b) {
                    b.begin(), b.end(), [&](const LoopCorner& q) { return isSame(p, q); });
            });
 }
+
+/// Gathers the cuts of one cell.
+class CutSearch {
+public:
+    CutSearch(MeshEditor& editor,
+              Label cell,
+              std::span<const Label> region,
+              const CutAim& aim,
+              WorkBudget& budget)
+        : editor_(editor),
+          cell_(cell),
+          region_(region),
+          aim_(aim),
+          budget_(budget),
+          finder_(editor, cell) {}
+
+    std::vector<Cut> atReflexEdges() {
+        // The sides of a round hole turn little from one to the next.
+        const double tolerance = finder_.isBall() ? aim_.tolerance : 0.2 * aim_.tolerance;
+        const std::size_t maxEdges = finder_.isBall() ? 6 : 12;
+        const Badness rest = badnessBeside(editor_, cell_, region_);
+        const std::vector<ReflexEdge> reflex = reflexEdges(editor_, cell_, tolerance);
+        for (std::size_t i = 0; i < std::min(reflex.size(), maxEdges); ++i) {
+            const EdgeList forbidden = forbiddenEdges(editor_, reflex[i], reflex);
+            for (const EdgePlane& plane : planesAt(editor_, cell_, reflex[i]))
+                for (const double snap : {0.25, 0.05, 0.0}) {
+                    if (snap == 0 && !aim_.wantsConvex) continue;
+                    const std::size_t before = cuts_.size();
+                    if (!tryPlane(plane, snap, forbidden)) return std::move(cuts_);
+                    for (std::size_t c = before; c < cuts_.size(); ++c)
+                        if (!aim_.wantsConvex && isNoWorse(cuts_[c].after, rest))
+                            return std::move(cuts_);
+                }
+        }
+        return std::move(cuts_);
+    }
+
+    std::vector<Cut> atAllEdges() {
+        const double noTolerance = -4; // [rad] no angle is excluded
+        for (const ReflexEdge& edge : reflexEdges(editor_, cell_, noTolerance)) {
+            const EdgePlane middle = planesAt(editor_, cell_, edge).back();
+            if (!tryPlane(middle, 0.25, forbiddenEdges(editor_, edge, {}))) break;
+        }
+        return std::move(cuts_);
+    }
+
+private:
+    bool isNew(const CellLoop& loop) {
+        const bool known = std::any_of(tried_.begin(), tried_.end(), [&](const CellLoop& other) {
+            return isSameLoop(loop, other);
+        });
+        if (!known) tried_.push_back(loop);
+        return !known;
+    }
+
+    /// False when the budget does not allow it.
+    bool tryPlane(const EdgePlane& plane, double snap, const EdgeList& forbidden) {
+        const std::size_t faces = editor_.cell(cell_).faces.size();
+        if (!budget_.spend(faces)) return false;
+        const auto loop = finder_.find(plane, snap, forbidden);
+        if (!loop || !isNew(*loop)) return true;
+        const std::vector<CellLoop> beside =
+            finder_.isBall() ? std::vector<CellLoop>{} : finder_.loopsBeside(*loop);
+        tryLoops({*loop});
+        for (const CellLoop& other : beside) {
+            if (!budget_.spend(faces)) return false;
+            tryLoops({*loop, other});
+        }
+        return true;
+    }
+
+    void tryLoops(const CellCut& loops) {
+        auto cut = tryCut(editor_, cell_, loops, region_, aim_);
+        if (cut) cuts_.push_back(std::move(*cut));
+    }
+
+    MeshEditor& editor_;
+    Label cell_;
+    std::span<const Label> region_;
+    const CutAim& aim_;
+    WorkBudget& budget_;
+    LoopFinder finder_;
+    std::vector<CellLoop> tried_; // several planes may give one loop
+    std::vector<Cut> cuts_;
+};
 
 } // namespace
 
@@ -146,53 +231,14 @@ std::vector<Cut> possibleCuts(MeshEditor& editor,
                               std::span<const Label> region,
                               const CutAim& aim,
                               WorkBudget& budget) {
-    constexpr std::size_t maxEdges = 6;
-    std::vector<Cut> cuts;
-    std::vector<CellLoop> tried; // several planes may give one loop
-    const auto isNew = [&](const CellLoop& loop) {
-        const bool known = std::any_of(tried.begin(), tried.end(), [&](const CellLoop& other) {
-            return isSameLoop(loop, other);
-        });
-        if (!known) tried.push_back(loop);
-        return !known;
-    };
-    const Badness rest = badnessBeside(editor, cell, region);
-    LoopFinder finder(editor, cell);
-    const std::vector<ReflexEdge> reflex = reflexEdges(editor, cell, aim.tolerance);
-    for (std::size_t i = 0; i < std::min(reflex.size(), maxEdges); ++i) {
-        const EdgeList forbidden = forbiddenEdges(editor, reflex[i], reflex);
-        for (const EdgePlane& plane : planesAt(editor, cell, reflex[i]))
-            for (const double snap : {0.25, 0.05, 0.0}) {
-                if (snap == 0 && !aim.wantsConvex) continue;
-                if (!budget.spend(editor.cell(cell).faces.size())) return cuts;
-                const auto loop = finder.find(plane, snap, forbidden);
-                if (!loop || !isNew(*loop)) continue;
-                auto cut = tryCut(editor, cell, *loop, region, aim);
-                if (!cut) continue;
-                cuts.push_back(std::move(*cut));
-                if (!aim.wantsConvex && isNoWorse(cuts.back().after, rest)) return cuts;
-            }
-    }
-    return cuts;
+    return CutSearch(editor, cell, region, aim, budget).atReflexEdges();
 }
 
 std::vector<Cut>
 halvingCuts(MeshEditor& editor, Label cell, std::span<const Label> region, WorkBudget& budget) {
     constexpr std::size_t maxFaces = 40; // the number of edges to try grows with the faces
-    std::vector<Cut> cuts;
-    if (editor.cell(cell).faces.size() > maxFaces) return cuts;
-    const double noTolerance = -4; // [rad] no angle is excluded
-    LoopFinder finder(editor, cell);
-    const std::vector<ReflexEdge> edges = reflexEdges(editor, cell, noTolerance);
-    for (const ReflexEdge& edge : edges) {
-        if (!budget.spend(editor.cell(cell).faces.size())) return cuts;
-        const EdgePlane middle = planesAt(editor, cell, edge).back();
-        const auto loop = finder.find(middle, 0.25, forbiddenEdges(editor, edge, {}));
-        if (!loop) continue;
-        auto cut = tryCut(editor, cell, *loop, region, CutAim());
-        if (cut) cuts.push_back(std::move(*cut));
-    }
-    return cuts;
+    if (editor.cell(cell).faces.size() > maxFaces) return {};
+    return CutSearch(editor, cell, region, CutAim(), budget).atAllEdges();
 }
 
 } // namespace polymesh

@@ -30,7 +30,7 @@ double totalExcess(MeshEditor& editor, Label cell, double tolerance);
 
 /// A cut that can be made, and what it would leave.
 struct Cut {
-    CellLoop loop;
+    CellCut loops;
     Badness after;     // of the region round the cell and the new cell
     double excess = 0; // [rad] sum over the reflex edges of both parts, if asked for
 };
@@ -43,7 +43,8 @@ struct CutAim {
 };
 
 /// All cuts that planes at the reflex edges of a cell allow: on along either face of the edge and
-/// half-way between. `region` holds the cell and its neighbours. When only soundness is asked for,
+/// half-way between; where a hole goes through the cell, further loops in the plane cut it open.
+/// `region` holds the cell and its neighbours. When only soundness is asked for,
 /// the search ends with a cut that leaves nothing to be desired in both parts.
 std::vector<Cut> possibleCuts(MeshEditor& editor,
                               Label cell,

@@ -43,7 +43,7 @@ struct Proposal {
     Label invalid = 0; // the changes: negative is good
     Label failures = 0;
     double severity = 0;
-    CellLoop loop = {}; // for cut
+    CellCut loops = {}; // for cut
 };
 
 bool isGood(const Proposal& p) {
@@ -172,17 +172,17 @@ private:
         return editor_.cellGeometry(cell).volume > largestMerged * size * size * size;
     }
 
-    void proposeCut(const std::optional<CellLoop>& loop) {
-        if (!loop) return;
+    void proposeCut(const std::optional<CellCut>& loops) {
+        if (!loops) return;
         const std::array<Label, 1> one{cell_};
         std::vector<Label> region = withNeighbours(editor_, one);
         const Badness before = badnessOf(editor_, region);
         const MeshEditor::Mark mark = editor_.mark();
-        const Label added = cutCell(editor_, cell_, *loop);
+        const Label added = cutCell(editor_, cell_, *loops);
         if (added >= 0) {
             region.push_back(added);
             Proposal proposal{.remedy = Remedy::cut, .from = cell_};
-            proposal.loop = *loop;
+            proposal.loops = *loops;
             consider(proposal, before, badnessOf(editor_, region));
         }
         editor_.undoTo(mark);
@@ -294,7 +294,7 @@ void apply(MeshEditor& editor,
            std::deque<Label>& touched) {
     std::vector<Label> cells;
     if (proposal.remedy == Remedy::cut) {
-        const Label added = cutCell(editor, proposal.from, proposal.loop);
+        const Label added = cutCell(editor, proposal.from, proposal.loops);
         cells = {proposal.from, added};
         ++counts.cuts;
     } else if (proposal.remedy == Remedy::merge) {

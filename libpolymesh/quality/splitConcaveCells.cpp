@@ -15,11 +15,11 @@ namespace polymesh {
 namespace {
 
 /// The cut that leaves the least badness, if that is less than `before`.
-std::optional<CellLoop> bestCut(const std::vector<Cut>& cuts, const Badness& before) {
+std::optional<CellCut> bestCut(const std::vector<Cut>& cuts, const Badness& before) {
     const Cut* best = nullptr;
     for (const Cut& cut : cuts)
         if (isBetter(cut.after, best ? best->after : before)) best = &cut;
-    return best ? std::optional(best->loop) : std::nullopt;
+    return best ? std::optional(best->loops) : std::nullopt;
 }
 
 /// The cut that leaves the least concavity, weighing failures as much as an edge of 90 degrees too
@@ -39,7 +39,7 @@ const Cut* straightestCut(const std::vector<Cut>& cuts, double excess) {
 
 } // namespace
 
-std::optional<CellLoop>
+std::optional<CellCut>
 bestReflexCut(MeshEditor& editor, Label cell, double tolerance, WorkBudget& budget) {
     const std::array<Label, 1> one{cell};
     const std::vector<Label> region = withNeighbours(editor, one);
@@ -47,7 +47,7 @@ bestReflexCut(MeshEditor& editor, Label cell, double tolerance, WorkBudget& budg
     return bestCut(possibleCuts(editor, cell, region, {tolerance, false}, budget), before);
 }
 
-std::optional<CellLoop> bestHalvingCut(MeshEditor& editor, Label cell, WorkBudget& budget) {
+std::optional<CellCut> bestHalvingCut(MeshEditor& editor, Label cell, WorkBudget& budget) {
     const std::array<Label, 1> one{cell};
     const std::vector<Label> region = withNeighbours(editor, one);
     const Badness before = badnessOf(editor, region);
@@ -70,7 +70,7 @@ Label decomposeCell(MeshEditor& editor, Label cell, double tolerance, WorkBudget
             possibleCuts(editor, piece, region, {tolerance, true}, budget);
         const Cut* cut = straightestCut(cuts, totalExcess(editor, piece, tolerance));
         if (!cut) continue;
-        const Label added = cutCell(editor, piece, cut->loop);
+        const Label added = cutCell(editor, piece, cut->loops);
         region.push_back(added);
         pieces.push_back(piece);
         pieces.push_back(added);
@@ -98,8 +98,8 @@ SplitCounts splitConcaveCells(MeshEditor& editor, double tolerance) {
             continue;
         }
         budget.startCell(queue.size());
-        const std::optional<CellLoop> loop = bestReflexCut(editor, c, tolerance, budget);
-        const Label added = loop ? cutCell(editor, c, *loop) : -1;
+        const std::optional<CellCut> loops = bestReflexCut(editor, c, tolerance, budget);
+        const Label added = loops ? cutCell(editor, c, *loops) : -1;
         if (added >= 0) {
             ++counts.cuts;
             --cutsLeft;

@@ -29,11 +29,11 @@ SplitCounts splitConcaveCells(MeshEditor& editor, double tolerance);
 Label decomposeCell(MeshEditor& editor, Label cell, double tolerance, WorkBudget& budget);
 
 /// The best cut of a cell at one of its reflex edges, if it leaves the cells round it better.
-std::optional<CellLoop>
+std::optional<CellCut>
 bestReflexCut(MeshEditor& editor, Label cell, double tolerance, WorkBudget& budget);
 
 /// The same with the planes that halve the angle at each edge of the cell, concave or not: the last
 /// resort, dearer by an order of magnitude.
-std::optional<CellLoop> bestHalvingCut(MeshEditor& editor, Label cell, WorkBudget& budget);
+std::optional<CellCut> bestHalvingCut(MeshEditor& editor, Label cell, WorkBudget& budget);
 
 } // namespace polymesh

@@ -180,6 +180,14 @@ TEST(DecomposeCells, handlesReflexEdgesThatMeetAtACorner) {
     EXPECT_EQ(decomposeAll(two).remaining, std::vector<Label>());
 }
 
+TEST(DecomposeCells, cutsCellsWithHolesThroughThemOpen) {
+    PolyMesh ring = voxelCell([](int i, int j, int) { return i != 1 || j != 1; });
+    EXPECT_EQ(decomposeAll(ring).remaining, std::vector<Label>());
+    PolyMesh threeHoles =
+        voxelCell([](int i, int j, int k) { return (i != 1) + (j != 1) + (k != 1) > 1; });
+    EXPECT_EQ(decomposeAll(threeHoles).remaining, std::vector<Label>());
+}
+
 TEST(DecomposeCells, handlesTwistedPrisms) {
     for (const double twist : {0.3, 0.5, 0.8, -0.3, -0.5}) {
         PolyMesh mesh = twistedPrism(twist);

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace polymesh {
 
@@ -17,6 +16,11 @@ namespace {
 
 /// Smallest part of a cell that a move may leave, of the volume that the cell began with.
 constexpr double leastPart = 0.1;
+
+/// How deep nodes on the surface stand inside while the mesh is trimmed, fraction of the shortest
+/// edge: deeper than a surface with a radius of 8 cells bends between the four nodes of a face, so
+/// that all of the face is inside too.
+constexpr double settleDepth = 0.03;
 
 /// Of nodes that hang between nodes that hang.
 constexpr int mostLevels = 4;
@@ -247,13 +251,9 @@ private:
             ++counts.away;
             return;
         }
-        // Deeper than any rounding, far thinner than what anyone would call a cell.
-        const Vec3& p = move.place;
-        const double largest = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-        const double hair =
-            std::max(1e-9 * move.size, 256 * std::numeric_limits<double>::epsilon() * largest);
-        mesh_.points[index(move.node)] += hair * move.inward;
-        result.settled.push_back({move.node, p, 1e-3 * move.size, move.target});
+        const double depth = settleDepth * move.size;
+        mesh_.points[index(move.node)] += depth * move.inward;
+        result.settled.push_back({move.node, move.place, depth, move.target});
     }
 
     PolyMesh& mesh_;

@@ -11,12 +11,14 @@
 
 namespace polymesh {
 
-/// A node that was put onto the surface. In the mesh it stands a hair inside of it, so that the
-/// trim sees it on one side of all that is flat there; settleNodes puts it where it belongs.
+/// A node that was put onto the surface. In the mesh it stands a little inside of it while that is
+/// trimmed, so that edges and faces between such nodes are inside as a whole, wherever rounding,
+/// the facets of the surface, and its bend would have them cross it. settleNodes.h then puts it
+/// where it belongs.
 struct SettledNode {
-    Label node = -1;   // of the mesh
-    Vec3 place;        // on the surface [m]
-    double radius = 0; // what the surface makes nearer than this is the node itself [m]
+    Label node = -1;  // of the mesh
+    Vec3 place;       // on the surface [m]
+    double depth = 0; // how far inside it stands [m]
     AdjustTarget target = AdjustTarget::face;
 };
 

@@ -55,6 +55,11 @@ Vec3 unit(const Vec3& v) {
     return length > 0 ? v / length : Vec3{};
 }
 
+Box boxRound(const Vec3& p, double reach) {
+    const Vec3 way{reach, reach, reach};
+    return {p - way, p + way};
+}
+
 /// What of the surface a node can be put onto. Edges and corners have trees of their own.
 class Targets {
 public:
@@ -89,14 +94,13 @@ public:
                 return std::abs(dot(normal(t), way)) <= reach;
             });
         };
-        cornerTree_.searchNearest(p, [&](Label i) {
+        cornerTree_.forEachNear(boxRound(p, std::sqrt(best2)), [&](Label i) {
             const Label v = corners_[index(i)];
             const double d2 = squaredNorm(surface_.points[index(v)] - p);
             if ((d2 < best2 || (d2 == best2 && v < best)) && isWithin(v)) {
                 best2 = d2;
                 best = v;
             }
-            return d2;
         });
         return best;
     }
@@ -120,17 +124,16 @@ public:
         };
         NodeMove move;
         move.target = AdjustTarget::edge;
-        edgeTree_.searchNearest(p, [&](Label i) {
+        edgeTree_.forEachNear(boxRound(p, std::sqrt(best2)), [&](Label i) {
             const Label e = featureEdges_[index(i)];
             const auto place = placeOnEdge(edges_[index(e)], p, freedom);
-            if (!place) return Box::inf;
+            if (!place) return;
             const double d2 = squaredNorm(*place - p);
             if ((d2 < best2 || (d2 == best2 && e < best)) && isWithin(e, *place - p)) {
                 best2 = d2;
                 best = e;
                 move.place = *place;
             }
-            return d2;
         });
         if (best < 0) return std::nullopt;
         const SurfaceEdge& edge = edges_[index(best)];

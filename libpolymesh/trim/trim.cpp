@@ -126,7 +126,7 @@ Trimmed trim(PolyMesh mesh, TriSurface surface, const TrimOptions& options) {
     const TrimmedCells cells = divideCells(probe, positions, loops, boundary);
 
     options.onStage("clean up");
-    const auto joined = pointsAtNodes(probe, arrangement, positions, settled);
+    const auto joined = pointsAtNodes(probe, cutter, features, {arrangement, positions}, settled);
     placeSettled(settled, mesh, probe, positions);
     EditPart part = buildEditPart({mesh,
                                    probe,

@@ -171,6 +171,7 @@ private:
         const Probe& probe = trim_.probe;
         editPoint_.assign(trim_.positions.size(), -1);
         editPointOfMesh_.assign(trim_.mesh.points.size(), -1);
+        const Label firstRegion = toLabel(trim_.mesh.patches.size());
         for (Label f = 0; f < probe.faceCount(); ++f) {
             const Label meshFace = probe.faces[index(f)];
             for (Label k = trim_.loops.offsets[index(f)]; k < trim_.loops.offsets[index(f) + 1];
@@ -180,11 +181,12 @@ private:
                     face.points.push_back(pointOf(p));
                 face.owner = sideOf(k, f, 0);
                 face.neighbour = sideOf(k, f, 1);
-                if (face.neighbour < 0) face.patch = patchOf(meshFace);
+                const Label region = trim_.touchedRegions[index(k)];
+                if (face.neighbour < 0)
+                    face.patch = region >= 0 ? firstRegion + region : patchOf(meshFace);
                 addFace(std::move(face));
             }
         }
-        const Label firstRegion = toLabel(trim_.mesh.patches.size());
         for (Label k = 0; k < trim_.boundary.polygons.size(); ++k) {
             EditFace face;
             for (const Label p : trim_.boundary.polygons[k])

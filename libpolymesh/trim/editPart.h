@@ -38,6 +38,7 @@ struct TrimResult {
     const FaceLoops& loops;
     const BoundaryPolygons& boundary;
     const TrimmedCells& cells;
+    const std::vector<Label>& touchedRegions;    // see touching.h
     const std::vector<std::int8_t>& cellWinding; // of cells outside the probe
     const std::vector<double>& cellSizes;        // of probed cells
     const std::vector<SettledNode>& settled;     // local nodes on the surface

@@ -5,6 +5,9 @@
 #include "libpolymesh/base/error.h"
 #include "libpolymesh/base/parallel.h"
 #include "libpolymesh/quality/cleanUp.h"
+#include "libpolymesh/quality/collapsePoints.h"
+#include "libpolymesh/quality/meshEditor.h"
+#include "libpolymesh/quality/removeZeroSize.h"
 #include "libpolymesh/surface/features.h"
 #include "libpolymesh/surface/triangleBoxes.h"
 #include "libpolymesh/trim/adjustNodes.h"
@@ -13,12 +16,14 @@
 #include "libpolymesh/trim/coincident.h"
 #include "libpolymesh/trim/dropOutside.h"
 #include "libpolymesh/trim/editPart.h"
+#include "libpolymesh/trim/flatFlaps.h"
 #include "libpolymesh/trim/loops.h"
 #include "libpolymesh/trim/nodes.h"
 #include "libpolymesh/trim/pieces.h"
 #include "libpolymesh/trim/settleNodes.h"
 #include "libpolymesh/trim/sharpness.h"
 #include "libpolymesh/trim/simplify.h"
+#include "libpolymesh/trim/touching.h"
 #include "libpolymesh/trim/trimmedCells.h"
 
 #include <algorithm>
@@ -55,6 +60,22 @@ std::vector<double> probedCellSizes(const Probe& probe) {
     return sizes;
 }
 
+void refuseBroken(Label cells) {
+    if (cells == 0) return;
+    throw WorkError(
+        fmt::format("clean-up left {} cells open; please report this surface and mesh", cells));
+}
+
+/// Takes away what has no thickness between the surface and faces of the mesh on which it lies.
+void tidyTouchingFaces(EditPart& part, TrimSummary& summary) {
+    MeshEditor editor(part.mesh);
+    const CollapseCounts collapsed = collapsePoints(editor, part.representative);
+    refuseBroken(collapsed.brokenCells);
+    const ZeroSizeCounts zero = removeZeroSize(editor);
+    removeFlatFlaps(editor);
+    summary.mergedCells += collapsed.removedCells + zero.cells;
+}
+
 /// Collapses what coincides, then what the user wants cleaned up.
 void tidy(EditPart& part, const TrimOptions& options, TrimSummary& summary) {
     const CleanUpCounts counts = cleanUp(part.mesh,
@@ -62,15 +83,12 @@ void tidy(EditPart& part, const TrimOptions& options, TrimSummary& summary) {
                                          {.minEdge = options.minEdge,
                                           .minVolume = options.minVolume,
                                           .mendsCells = options.mendsCells});
-    summary.mergedCells = counts.zeroCells + counts.mergedCells;
+    summary.mergedCells += counts.zeroCells + counts.mergedCells;
     summary.collapsedEdges = counts.collapsedEdges;
     summary.splitCells = counts.cutCells;
     summary.repairs = counts.repairs;
     summary.badCells = counts.badCells;
-    if (counts.brokenCells != 0)
-        throw WorkError(
-            fmt::format("clean-up left {} cells open; please report this surface and mesh",
-                        counts.brokenCells));
+    refuseBroken(counts.brokenCells);
 }
 
 void count(const EditPart& part, const PolyMesh& result, TrimSummary& summary) {
@@ -136,12 +154,14 @@ Trimmed trim(PolyMesh mesh, TriSurface surface, const TrimOptions& options) {
                                    loops,
                                    boundary,
                                    cells,
+                                   touchedRegions(mesh, probe, cutter, positions, loops),
                                    cellWinding,
                                    cellSizes,
                                    settled,
                                    options.minEdge},
                                   features,
                                   mergeCoincident(probe, cutter, arrangement, joined));
+    if (mayTouch(probe, cutter, arrangement)) tidyTouchingFaces(part, result.summary);
     tidy(part, options, result.summary);
 
     options.onStage("assemble");

@@ -4,11 +4,7 @@
 // mpsSplit: constant/polyMesh -> mid-point subdivision -> constant/polyMesh.
 
 #include "formats/foam/polyMeshIo.h"
-#include "formats/foam/sets.h"
-#include "libpolymesh/base/error.h"
-#include "libpolymesh/mesh/validate.h"
-#include "libpolymesh/mps/midPointSubdivision.h"
-#include "libpolymesh/quality/standardShape.h"
+#include "libpolymesh/mps/makeDivisible.h"
 #include "tools/mpsSplitReport.h"
 #include "tools/toolMain.h"
 
@@ -24,16 +20,17 @@ const std::vector<Option> options{};
 ExitCode run(ToolRun& tool) {
     const foam::WriteFormat format = tool.writeFormat();
     tool.clock.start("read");
-    const PolyMesh mesh = foam::readPolyMesh(tool.meshDir());
+    PolyMesh mesh = foam::readPolyMesh(tool.meshDir());
     tool.clock.start("check mesh");
     refuseInvalid(tool, mesh);
     tool.clock.start("plan");
-    SubdivisionPlan plan = planSubdivision(mesh);
-    const MpsFigures figures = figuresOf(mesh, plan);
+    const UndividedMesh undivided = describe(mesh);
+    Divisible divisible = makeDivisible(std::move(mesh));
+    const MpsFigures figures = figuresOf(undivided, divisible);
     tool.clock.start("divide");
-    const PolyMesh result = divide(mesh, std::move(plan));
+    const PolyMesh result = divide(divisible.mesh, std::move(divisible.plan));
     tool.clock.start("validate");
-    requireValid(result, "the divided mesh");
+    requireConformal(result, figures);
     tool.clock.start("write");
     foam::writePolyMesh(result, tool.meshDir(), format);
     tool.clock.start("report");

@@ -4,13 +4,13 @@
 
 #include "formats/foam/sets.h"
 #include "libpolymesh/base/error.h"
+#include "libpolymesh/base/parallel.h"
 #include "libpolymesh/mesh/cellGeometry.h"
 #include "libpolymesh/mesh/topology.h"
 #include "libpolymesh/mesh/validate.h"
 #include "libpolymesh/quality/standardShape.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace polymesh::tools {
 
@@ -19,8 +19,14 @@ namespace {
 constexpr std::size_t shownCells = 5;
 constexpr const char* invertedSet = "invertedParts";
 
-double sumOf(const std::vector<double>& values) {
-    return std::accumulate(values.begin(), values.end(), 0.0);
+/// Volume [m^3] that the boundary holds, by OpenFOAM's areas and centres of its faces.
+double boundedVolume(const PolyMesh& mesh) {
+    const Vec3 apex = mesh.points.empty() ? Vec3{} : mesh.points.front();
+    return parallelSum(mesh.faceCount() - mesh.internalFaceCount(), 0.0, [&](Label i) {
+        const FaceGeometry face =
+            faceGeometry(mesh.points, mesh.faces[mesh.internalFaceCount() + i]);
+        return dot(face.area, face.centre - apex) / 3;
+    });
 }
 
 std::string shown(const Vec3& p) {
@@ -39,6 +45,22 @@ std::vector<InvertedCell> invertedOf(const PolyMesh& mesh, const SubdivisionPlan
     }
     std::ranges::stable_sort(cells, {}, &InvertedCell::jacobian);
     return cells;
+}
+
+/// What was done so that parts are not inverted.
+void reportHelp(ToolRun& tool, const MpsFigures& figures) {
+    tool.say("helped     {} cells that would have had an inverted part: {} faces split, {} cells "
+             "cut into {}, {} points moved",
+             figures.firstInverted,
+             figures.splitFaces,
+             figures.conedCells,
+             figures.conedCells + figures.newCells,
+             figures.movedPoints);
+    tool.report["helpedCells"] = figures.firstInverted;
+    tool.report["splitFaces"] = figures.splitFaces;
+    tool.report["newPointCells"] = figures.conedCells;
+    tool.report["newCells"] = figures.newCells;
+    tool.report["movedPoints"] = figures.movedPoints;
 }
 
 void reportInverted(ToolRun& tool, const MpsFigures& figures) {
@@ -81,18 +103,33 @@ void reportInverted(ToolRun& tool, const MpsFigures& figures) {
 
 } // namespace
 
-MpsFigures figuresOf(const PolyMesh& mesh, const SubdivisionPlan& plan) {
-    MpsFigures figures{mesh.cellCount,
-                       sumOf(computeGeometry(mesh, plan.cellFaces).cellVolumes),
-                       demandedCounts(mesh),
+UndividedMesh describe(const PolyMesh& mesh) {
+    return {mesh.cellCount, boundedVolume(mesh)};
+}
+
+MpsFigures figuresOf(const UndividedMesh& undivided, const Divisible& divisible) {
+    const SubdivisionPlan& plan = divisible.plan;
+    MpsFigures figures{undivided,
+                       divisible.firstInverted,
+                       divisible.splitFaces,
+                       divisible.conedCells,
+                       divisible.newCells,
+                       divisible.movedPoints,
+                       demandedCounts(divisible.mesh),
                        {plan.hexahedra, plan.pyramids},
-                       invertedOf(mesh, plan),
+                       invertedOf(divisible.mesh, plan),
                        {}};
     for (const Label cell : plan.inverted)
         for (Label part = plan.firstPart[index(cell)]; part < plan.firstPart[index(cell) + 1];
              ++part)
             figures.invertedParts.push_back(part);
     return figures;
+}
+
+void requireConformal(const PolyMesh& result, const MpsFigures& figures) {
+    for (const Defect& defect : validate(result))
+        if (defect.law != 1 || figures.inverted.empty())
+            throw WorkError(fmt::format("the divided mesh is not valid: {}", defect.message));
 }
 
 void refuseInvalid(ToolRun& tool, const PolyMesh& mesh) {
@@ -133,10 +170,10 @@ bool reportSplit(ToolRun& tool, const MpsFigures& figures, const PolyMesh& resul
                                     result.cellCount,
                                     figures.demanded.hexahedra,
                                     figures.demanded.pyramids));
-    const double volume = sumOf(computeGeometry(result, faces).cellVolumes);
+    const double volume = boundedVolume(result);
     tool.clock.stop();
     tool.say("cells      {} divided into {}: {} hexahedra and {} pyramids ({:.2f} %)",
-             figures.cells,
+             figures.undivided.cells,
              result.cellCount,
              hexahedra,
              pyramids,
@@ -144,15 +181,16 @@ bool reportSplit(ToolRun& tool, const MpsFigures& figures, const PolyMesh& resul
     tool.say("           as theory demands: one for each node of valence 3, 2v for each other one");
     tool.say("volume     {:.9g} m^3, {:.2g} of it off that of the undivided mesh",
              volume,
-             std::abs(volume / figures.volume - 1));
+             std::abs(volume / figures.undivided.volume - 1));
     tool.report["cells"] = result.cellCount;
     tool.report["hexahedra"] = hexahedra;
     tool.report["pyramids"] = pyramids;
     tool.report["demandedHexahedra"] = figures.demanded.hexahedra;
     tool.report["demandedPyramids"] = figures.demanded.pyramids;
-    tool.report["dividedCells"] = figures.cells;
+    tool.report["dividedCells"] = figures.undivided.cells;
     tool.report["volume"] = volume;
-    tool.report["volumeError"] = volume / figures.volume - 1;
+    tool.report["volumeError"] = volume / figures.undivided.volume - 1;
+    reportHelp(tool, figures);
     reportInverted(tool, figures);
     return figures.inverted.empty();
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "libpolymesh/mps/midPointSubdivision.h"
+#include "libpolymesh/mps/makeDivisible.h"
 #include "tools/toolMain.h"
 
 #include <vector>
@@ -16,10 +16,20 @@ struct InvertedCell {
     double jacobian = 0; // the least scaled one of its parts
 };
 
-/// What the report needs of the undivided mesh and the plan, which the division uses up.
-struct MpsFigures {
+/// The mesh as it was read.
+struct UndividedMesh {
     Label cells = 0;
     double volume = 0; // [m^3]
+};
+
+/// What the report needs of the mesh and the plan, which the division uses up.
+struct MpsFigures {
+    UndividedMesh undivided;
+    Label firstInverted = 0;
+    Label splitFaces = 0;
+    Label conedCells = 0;
+    Label newCells = 0;
+    Label movedPoints = 0;
     SubdivisionCounts demanded;
     SubdivisionCounts planned;
     std::vector<InvertedCell> inverted; // by Jacobian, the worst first
@@ -27,7 +37,13 @@ struct MpsFigures {
 };
 
 /// Cost: linear.
-MpsFigures figuresOf(const PolyMesh& mesh, const SubdivisionPlan& plan);
+UndividedMesh describe(const PolyMesh& mesh);
+
+/// Cost: linear.
+MpsFigures figuresOf(const UndividedMesh& undivided, const Divisible& divisible);
+
+/// Throws WorkError unless the mesh is valid; inverted parts that are known of are let through.
+void requireConformal(const PolyMesh& result, const MpsFigures& figures);
 
 /// Throws InputError for a mesh that breaks PolyMesh's laws or has cells without volume, after
 /// writing those to sets; the mesh stays as it is.

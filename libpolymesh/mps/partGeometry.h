@@ -4,6 +4,7 @@
 
 #include "libpolymesh/mps/cellCorners.h"
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -22,27 +23,42 @@ struct PointLayout {
 struct PartPoints {
     const CellCorners& cell;
     const PointLayout& layout;
-    std::span<const Vec3> points; // of the divided mesh, without further points
+    std::span<const Vec3> points; // of the divided mesh, at least those below firstApex
     std::span<const Vec3> apices; // of the cell, one a node of other valence than 3
+    Label firstApex = 0;          // label of the first of them
     Label label = -1;             // of the cell
 
-    const Vec3& middle(Label edge) const { return points[index(layout.firstEdge + edge)]; }
+    Label middle(Label edge) const { return layout.firstEdge + edge; }
 
-    const Vec3& ofFace(Label face) const { return points[index(layout.firstFace + face)]; }
+    Label ofFace(Label face) const { return layout.firstFace + face; }
 
-    const Vec3& centre() const { return points[index(layout.firstCell + label)]; }
+    Label centre() const { return layout.firstCell + label; }
+
+    const Vec3& at(Label point) const {
+        return point < layout.firstApex ? points[index(point)] : apices[index(point - firstApex)];
+    }
 };
+
+/// A corner of a part and its three neighbours in the part: a tetrahedron with det(b - a, c - a,
+/// d - a) > 0 unless the part is inverted there.
+using PartCorner = std::array<Label, 4>;
+
+/// The corners of all parts of a cell: the 8 of each hexahedron, the 4 of each pyramid's base,
+/// which are the four tetrahedra that two sides of the base and the apex span.
+void addPartCorners(const PartPoints& parts, std::vector<PartCorner>& corners);
 
 /// A corner of a part is inverted when its Jacobian, the determinant of its three edges, is not
 /// more than this times the product of their lengths: a part that is flat there to rounding counts.
 inline constexpr double leastJacobian = 1e-9;
 
-/// The least scaled Jacobian (determinant by product of edge lengths, in [-1, 1]) of the parts of a
-/// cell: at the 8 corners of each hexahedron, at the 4 corners of each pyramid's base. Those of a
-/// base are the volumes of the four tetrahedra that two of its sides and the apex span.
+/// The least scaled Jacobian (determinant by product of edge lengths, in [-1, 1]) at the corners of
+/// the parts of a cell.
 double leastScaledJacobian(const PartPoints& parts);
 
-/// Whether a part of the cell is inverted at a corner. As the above against leastJacobian, faster.
+/// Whether three edges from a corner of a part have a Jacobian of leastJacobian or less.
+bool isInverted(const Vec3& a, const Vec3& b, const Vec3& c);
+
+/// Whether a part of the cell is inverted at a corner.
 bool hasInvertedPart(const PartPoints& parts);
 
 /// A point from which the faces of the hexahedra of a cell are seen as they must be, so that no

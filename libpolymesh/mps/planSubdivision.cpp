@@ -56,7 +56,7 @@ void planCell(const PolyMesh& mesh,
     result.hexahedra += hexahedra;
     result.pyramids += corners.partCount() - hexahedra;
     const std::size_t first = result.apices.size();
-    PartPoints parts{corners, plan.layout, plan.points, {}, cell};
+    PartPoints parts{corners, plan.layout, plan.points, {}, plan.layout.firstApex, cell};
     const auto place = [&] {
         result.apices.resize(first);
         addApices(parts, result.apices);
@@ -107,12 +107,8 @@ void joinBlocks(const std::vector<BlockResult>& blocks, SubdivisionPlan& plan) {
 
 PartPoints SubdivisionPlan::parts(const CellCorners& corners, Label cell) const {
     const std::span<const Vec3> all = points;
-    return {corners,
-            layout,
-            all,
-            all.subspan(index(layout.firstApex + firstApex[index(cell)]),
-                        index(firstApex[index(cell) + 1] - firstApex[index(cell)])),
-            cell};
+    const Label first = layout.firstApex + firstApex[index(cell)];
+    return {corners, layout, all, all.subspan(index(first)), first, cell};
 }
 
 SubdivisionPlan planSubdivision(const PolyMesh& mesh) {

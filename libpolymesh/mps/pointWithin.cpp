@@ -13,14 +13,14 @@ void addHalfSpace(const Vec3& a, const Vec3& b, const Vec3& at, std::vector<Half
     if (length > 0) list.push_back({normal / length, at});
 }
 
-std::optional<Vec3>
-pointWithin(std::span<const HalfSpace> halfSpaces, const Vec3& start, double reach) {
-    constexpr int moves = 60;
-    constexpr int margins = 10;
+std::optional<Vec3> pointWithin(std::span<const HalfSpace> halfSpaces,
+                                const Vec3& start,
+                                double reach,
+                                const Search& search) {
     Vec3 x = start;
     double margin = 0.2 * reach;
-    for (int m = 0; m < margins; ++m, margin /= 3)
-        for (int step = 0; step < moves; ++step) {
+    for (int m = 0; m < search.margins; ++m, margin /= 3)
+        for (int step = 0; step < search.moves; ++step) {
             double worst = std::numeric_limits<double>::max();
             const HalfSpace* missed = nullptr;
             for (const HalfSpace& h : halfSpaces) {

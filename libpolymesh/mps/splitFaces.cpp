@@ -34,6 +34,9 @@ public:
         const Vec3 area = faceArea(loop);
         inward_ = -area;
         centre_ = plan_.points[index(plan_.layout.firstCell + mesh_.owner[index(face)])];
+        if (isInternal_)
+            otherCentre_ =
+                plan_.points[index(plan_.layout.firstCell + mesh_.neighbour[index(face)])];
         std::vector<Polygon> pending{Polygon(loop.begin(), loop.end())};
         std::vector<Polygon> pieces;
         while (!pending.empty()) {
@@ -67,8 +70,13 @@ private:
     /// How convex the face is at the corner `here`: above zero where it is.
     double convexity(Label before, Label here, Label after) const {
         const Vec3& at = point(here);
-        return scaledTriple(
-            point(before) - at, point(after) - at, isInternal_ ? inward_ : centre_ - at);
+        const Vec3 a = point(before) - at;
+        const Vec3 b = point(after) - at;
+        if (!isInternal_) return scaledTriple(a, b, centre_ - at);
+        const double flat = scaledTriple(a, b, inward_);
+        if (!rule_.isStrict) return flat;
+        return std::min(
+            {flat, scaledTriple(a, b, centre_ - at), scaledTriple(b, a, otherCentre_ - at)});
     }
 
     static Label cyclic(const Polygon& polygon, std::size_t i) {
@@ -142,7 +150,8 @@ private:
     std::set<std::pair<Label, Label>> added_;
     bool isInternal_ = false;
     Vec3 inward_;
-    Vec3 centre_;
+    Vec3 centre_;      // of the owner
+    Vec3 otherCentre_; // of the neighbour
 };
 
 /// New labels of the first piece of each face, and of the end.

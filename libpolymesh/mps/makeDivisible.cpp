@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: The polymesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "libpolymesh/mps/makeDivisible.h"
+
+#include "libpolymesh/mps/cones.h"
+#include "libpolymesh/mps/splitFaces.h"
+#include "libpolymesh/mps/untangle.h"
+
+#include <utility>
+
+namespace polymesh {
+
+namespace {
+
+void splitFaces(Divisible& work, const FaceSplitRule& rule) {
+    const auto pieces = piecesOfFaces(work.mesh, work.plan, work.plan.inverted, rule);
+    if (pieces.empty()) return;
+    work.splitFaces += toLabel(pieces.size());
+    work.mesh = withPieces(std::move(work.mesh), pieces);
+    work.plan = planSubdivision(work.mesh);
+    work.movedPoints = untangle(work.mesh, work.plan);
+}
+
+/// Returns whether there were any.
+bool makeCones(Divisible& work) {
+    const auto cones = conesOf(work.mesh, work.plan, work.plan.inverted);
+    if (cones.empty()) return false;
+    const Label before = work.mesh.cellCount;
+    work.conedCells += toLabel(cones.size());
+    work.mesh = withCones(std::move(work.mesh), work.plan.cellFaces, cones);
+    work.newCells += work.mesh.cellCount - before;
+    work.plan = planSubdivision(work.mesh);
+    work.movedPoints = untangle(work.mesh, work.plan);
+    return true;
+}
+
+} // namespace
+
+Divisible makeDivisible(PolyMesh mesh) {
+    constexpr double bent = 0;        // corners that are concave
+    constexpr double straight = 1e-3; // and those that are hardly convex
+    constexpr int rounds = 3;
+    Divisible work;
+    work.mesh = std::move(mesh);
+    work.plan = planSubdivision(work.mesh);
+    work.firstInverted = toLabel(work.plan.inverted.size());
+    work.movedPoints = untangle(work.mesh, work.plan);
+    splitFaces(work, {bent});
+    makeCones(work);
+    for (int round = 0; round < rounds && !work.plan.inverted.empty(); ++round) {
+        splitFaces(work, {straight, round > 0});
+        if (!makeCones(work) && round > 0) break;
+    }
+    return work;
+}
+
+} // namespace polymesh

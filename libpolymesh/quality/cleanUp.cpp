@@ -52,7 +52,7 @@ CleanUpCounts improve(EditMesh& mesh, const CleanUpOptions& options, std::vector
     counts.cutCells = splitConcaveCells(editor, options.concaveAngle).cuts;
     const RepairCounts repaired = repairCells(editor);
     counts.cutCells += repaired.cuts;
-    counts.repairs = repaired.merges + repaired.collapses + repaired.splits;
+    counts.repairs = repaired.merges + repaired.collapses + repaired.splits + repaired.remakes;
     badCells = cellsThatFail(editor);
     return counts;
 }

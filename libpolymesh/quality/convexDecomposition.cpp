@@ -25,23 +25,17 @@ bool isConvex(MeshEditor& editor, Label cell, double angle) {
                faces.begin(), faces.end(), [&](Label f) { return faceExcess(editor, f) > angle; });
 }
 
-/// Makes the cells convex one by one.
+/// Makes a cell convex.
 class Decomposer {
 public:
-    Decomposer(MeshEditor& editor, const DecompositionOptions& options, std::size_t cellCount)
-        : editor_(editor),
-          options_(options),
-          budget_(20000 + 2000 * static_cast<std::int64_t>(cellCount)) {}
+    Decomposer(MeshEditor& editor, const DecompositionOptions& options, WorkBudget& budget)
+        : editor_(editor), options_(options), budget_(budget) {}
 
-    DecompositionCounts decompose(std::span<const Label> cells) {
-        for (const Label c : cells) {
-            if (isConvex(editor_, c, options_.angle)) continue;
-            ++counts_.concaveCells;
-            decomposeCell(c);
-            editor_.commit();
-        }
-        std::sort(counts_.remaining.begin(), counts_.remaining.end());
-        return counts_;
+    DecompositionCounts decompose(Label cell) {
+        if (isConvex(editor_, cell, options_.angle)) return counts_;
+        ++counts_.concaveCells;
+        decomposeCell(cell);
+        return std::move(counts_);
     }
 
 private:
@@ -71,7 +65,6 @@ private:
     Label cut(Label cell, double excess) {
         const std::array<Label, 1> one{cell};
         const std::vector<Label> region = withNeighbours(editor_, one);
-        budget_.startCell(0);
         const std::vector<Cut> cuts =
             possibleCuts(editor_, cell, region, {options_.angle, true}, budget_);
         const Cut* best = nullptr;
@@ -113,9 +106,18 @@ private:
 
     MeshEditor& editor_;
     const DecompositionOptions& options_;
-    WorkBudget budget_;
+    WorkBudget& budget_;
     DecompositionCounts counts_;
 };
+
+void add(const DecompositionCounts& cell, DecompositionCounts& sum) {
+    sum.concaveCells += cell.concaveCells;
+    sum.cuts += cell.cuts;
+    sum.edgePoints += cell.edgePoints;
+    sum.cellPoints += cell.cellPoints;
+    sum.splitFaces += cell.splitFaces;
+    sum.remaining.insert(sum.remaining.end(), cell.remaining.begin(), cell.remaining.end());
+}
 
 } // namespace
 
@@ -134,10 +136,11 @@ std::vector<Label> concaveCells(const PolyMesh& mesh, double angle) {
     return cells;
 }
 
-DecompositionCounts decomposeCells(MeshEditor& editor,
-                                   std::span<const Label> cells,
-                                   const DecompositionOptions& options) {
-    return Decomposer(editor, options, cells.size()).decompose(cells);
+DecompositionCounts decomposeCell(MeshEditor& editor,
+                                  Label cell,
+                                  const DecompositionOptions& options,
+                                  WorkBudget& budget) {
+    return Decomposer(editor, options, budget).decompose(cell);
 }
 
 DecompositionCounts decomposeCells(PolyMesh& mesh,
@@ -151,9 +154,13 @@ DecompositionCounts decomposeCells(PolyMesh& mesh,
         const auto found = std::lower_bound(part.cells.begin(), part.cells.end(), c);
         inPart.push_back(static_cast<Label>(found - part.cells.begin()));
     }
-    {
-        MeshEditor editor(part.mesh);
-        counts = decomposeCells(editor, inPart, options);
+    MeshEditor editor(part.mesh);
+    for (const Label c : inPart) {
+        constexpr std::int64_t tries = 4000; // some cuts for each of the parts
+        WorkBudget budget(tries);
+        budget.startCell(0);
+        add(decomposeCell(editor, c, options, budget), counts);
+        editor.commit();
     }
     JoinedPart joined = withPart(mesh, part);
     for (Label& c : counts.remaining)

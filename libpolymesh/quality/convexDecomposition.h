@@ -4,6 +4,7 @@
 
 #include "libpolymesh/mesh/polyMesh.h"
 #include "libpolymesh/quality/meshEditor.h"
+#include "libpolymesh/quality/workBudget.h"
 
 #include <span>
 #include <vector>
@@ -48,9 +49,11 @@ DecompositionCounts decomposeCells(PolyMesh& mesh,
                                    const DecompositionOptions& options = {},
                                    std::vector<Label>* origins = nullptr);
 
-/// The same on a mesh that is being edited. `remaining` has cells of the editor.
-DecompositionCounts decomposeCells(MeshEditor& editor,
-                                   std::span<const Label> cells,
-                                   const DecompositionOptions& options = {});
+/// The same for one cell of a mesh that is being edited; `remaining` has parts of it. Can be taken
+/// back. The budget ends the cuts.
+DecompositionCounts decomposeCell(MeshEditor& editor,
+                                  Label cell,
+                                  const DecompositionOptions& options,
+                                  WorkBudget& budget);
 
 } // namespace polymesh

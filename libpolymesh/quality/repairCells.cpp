@@ -4,11 +4,13 @@
 
 #include "libpolymesh/quality/cellTopology.h"
 #include "libpolymesh/quality/collapseEdges.h"
+#include "libpolymesh/quality/convexDecomposition.h"
 #include "libpolymesh/quality/cutCell.h"
 #include "libpolymesh/quality/editQuality.h"
 #include "libpolymesh/quality/mergeCells.h"
 #include "libpolymesh/quality/polygons.h"
 #include "libpolymesh/quality/splitConcaveCells.h"
+#include "libpolymesh/quality/starPoint.h"
 
 #include <algorithm>
 #include <array>
@@ -28,10 +30,13 @@ constexpr double largestVolumeChange = 2e-3; // of the cube of the size of the c
 
 constexpr double largestMerged = 2.6; // volume of a merged cell, of the cube of its size
 
-enum class Remedy : std::uint8_t { cut, merge, collapse, collapseAll, splitFace };
+enum class Remedy : std::uint8_t { cut, merge, collapse, collapseAll, splitFace, remake };
 
 constexpr std::array<double, 3> shortLimits{
     0.03, 0.06, 0.12}; // for collapseAll, of the size of the cell
+
+/// The last resorts.
+enum class Remake : std::uint8_t { convex, pyramids };
 
 /// A change that might be made, and what it would do to the badness round it.
 struct Proposal {
@@ -44,6 +49,7 @@ struct Proposal {
     Label failures = 0;
     double severity = 0;
     CellCut loops = {}; // for cut
+    Remake how = Remake::convex;
 };
 
 bool isGood(const Proposal& p) {
@@ -134,6 +140,17 @@ bool splitAtChord(MeshEditor& editor, const Proposal& chord) {
     return allBalls(editor, parts) && allBalls(editor, both);
 }
 
+/// Makes a cell into many: convex ones, or a pyramid on each face.
+bool remake(MeshEditor& editor, Label cell, Remake how) {
+    if (how == Remake::convex) {
+        WorkBudget budget(400);
+        budget.startCell(0);
+        return decomposeCell(editor, cell, {concaveAngle, 20}, budget).concaveCells > 0;
+    }
+    const auto apex = starPoint(editor, cell);
+    return apex && !makePyramids(editor, cell, *apex).empty();
+}
+
 /// Looks for the best change round one cell.
 class RepairSearch {
 public:
@@ -152,6 +169,13 @@ public:
         if (!best_) proposeCut(bestHalvingCut(editor_, cell_, budget_));
         if (!best_) proposeFaceSplits();
         return best_ || !mayPassOn ? best_ : fallback_;
+    }
+
+    /// Where all that has failed: the cell is made into many.
+    std::optional<Proposal> bestRemake() {
+        for (const Remake how : {Remake::convex, Remake::pyramids})
+            if (!best_) proposeRemake(how);
+        return best_;
     }
 
 private:
@@ -189,6 +213,23 @@ private:
     }
 
     bool spend() { return budget_.spend(editor_.cell(cell_).faces.size()); }
+
+    void proposeRemake(Remake how) {
+        if (!spend()) return;
+        const std::array<Label, 1> one{cell_};
+        std::vector<Label> region = withNeighbours(editor_, one);
+        const Badness before = badnessOf(editor_, region);
+        const MeshEditor::Mark mark = editor_.mark();
+        const Label oldCells = editor_.cellCount();
+        if (remake(editor_, cell_, how)) {
+            for (Label c = oldCells; c < editor_.cellCount(); ++c)
+                region.push_back(c);
+            Proposal proposal{.remedy = Remedy::remake, .from = cell_};
+            proposal.how = how;
+            consider(proposal, before, badnessOf(editor_, region));
+        }
+        editor_.undoTo(mark);
+    }
 
     void proposeMerge(Label from, Label into) {
         const std::size_t faces = editor_.cell(from).faces.size() + editor_.cell(into).faces.size();
@@ -307,6 +348,13 @@ void apply(MeshEditor& editor,
         splitAtChord(editor, proposal);
         if (editor.cellCount() > oldCells) cells.push_back(oldCells);
         ++counts.splits;
+    } else if (proposal.remedy == Remedy::remake) {
+        cells = {proposal.from};
+        const Label oldCells = editor.cellCount();
+        remake(editor, proposal.from, proposal.how);
+        for (Label c = oldCells; c < editor.cellCount(); ++c)
+            cells.push_back(c);
+        ++counts.remakes;
     } else if (proposal.remedy == Remedy::collapseAll) {
         const std::array<Label, 1> one{proposal.from};
         cells = withNeighbours(editor, one);
@@ -322,16 +370,13 @@ void apply(MeshEditor& editor,
     touched.insert(touched.end(), all.begin(), all.end());
 }
 
-} // namespace
-
-RepairCounts repairCells(MeshEditor& editor) {
+/// Makes the best changes one after the other.
+void mendFailingCells(MeshEditor& editor, WorkBudget& budget, RepairCounts& counts) {
     constexpr int maxVisits =
         8; // a cell that takes more is going round in circles with its neighbours
-    RepairCounts counts;
     const std::vector<Label> failing = failingCells(editor);
     std::deque<Label> queue(failing.begin(), failing.end());
     counts.bad = toLabel(queue.size());
-    WorkBudget budget(40000 + std::int64_t{editor.cellCount()});
     // Each step lowers, in this order: the passes left, what is invalid, the failures, the severity
     // by a least amount. The changes left keep the number of steps in proportion.
     std::int64_t passesLeft = std::int64_t{8} * counts.bad;
@@ -356,6 +401,27 @@ RepairCounts repairCells(MeshEditor& editor) {
         if (proposal->remedy == Remedy::merge)
             visits[proposal->to] = std::max(visits[proposal->to], soFar);
     }
+}
+
+/// Makes cells that still fail into many.
+void remakeFailingCells(MeshEditor& editor, WorkBudget& budget, RepairCounts& counts) {
+    const std::vector<Label> failing = failingCells(editor);
+    std::deque<Label> touched; // not looked at again
+    for (std::size_t i = 0; i < failing.size() && !budget.isSpent(); ++i) {
+        if (editor.cell(failing[i]).isRemoved() || !isFailing(editor, failing[i])) continue;
+        budget.startCell(failing.size() - i);
+        const auto proposal = RepairSearch(editor, failing[i], budget).bestRemake();
+        if (proposal) apply(editor, *proposal, counts, touched);
+    }
+}
+
+} // namespace
+
+RepairCounts repairCells(MeshEditor& editor) {
+    RepairCounts counts;
+    WorkBudget budget(40000 + std::int64_t{editor.cellCount()});
+    mendFailingCells(editor, budget, counts);
+    remakeFailingCells(editor, budget, counts);
     counts.left = toLabel(failingCells(editor).size());
     return counts;
 }

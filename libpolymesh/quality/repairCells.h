@@ -12,13 +12,14 @@ struct RepairCounts {
     Label cuts = 0;      // improvements by cutting a concave cell,
     Label merges = 0;    // by merging a cell into a neighbour,
     Label collapses = 0; // by collapsing an edge,
-    Label splits = 0;    // by cutting a face
+    Label splits = 0;    // by cutting a face,
+    Label remakes = 0;   // by making a cell into convex ones or into pyramids
     Label left = 0;      // cells that still fail
 };
 
 /// Mends cells that OpenFOAM's checkMesh fails by default, one by one: of all the local changes
 /// that are possible (cuts at reflex edges, merges with a neighbour, collapses of an edge,
-/// cuts of a face) the best
+/// cuts of a face; where none helps the cell is made into convex ones, or into pyramids) the best
 /// is made, as long as it leaves fewer failures, or less severe ones, round it. Edges of the
 /// boundary are collapsed only if the volume hardly changes. Where nothing improves, a narrow strip
 /// may be collapsed though that moves the trouble on to the next cell: at most 8 times for each

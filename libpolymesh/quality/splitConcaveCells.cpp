@@ -54,7 +54,7 @@ std::optional<CellCut> bestHalvingCut(MeshEditor& editor, Label cell, WorkBudget
     return bestCut(halvingCuts(editor, cell, region, budget), before);
 }
 
-Label decomposeCell(MeshEditor& editor, Label cell, double tolerance, WorkBudget& budget) {
+Label cutInSteps(MeshEditor& editor, Label cell, double tolerance, WorkBudget& budget) {
     constexpr Label maxCuts = 12;
     const std::array<Label, 1> one{cell};
     std::vector<Label> region = withNeighbours(editor, one);
@@ -106,7 +106,7 @@ SplitCounts splitConcaveCells(MeshEditor& editor, double tolerance) {
             queue.push_back(c);
             queue.push_back(added);
         } else {
-            const Label cuts = decomposeCell(editor, c, tolerance, budget);
+            const Label cuts = cutInSteps(editor, c, tolerance, budget);
             counts.cuts += cuts;
             cutsLeft -= cuts;
             counts.left += isFailing(editor, c);

@@ -26,7 +26,7 @@ SplitCounts splitConcaveCells(MeshEditor& editor, double tolerance);
 /// Cuts a cell, and the pieces again, by the cuts that leave the least concavity, though a single
 /// one may not make anything better; kept if all of them together do. Returns the number of cuts
 /// made.
-Label decomposeCell(MeshEditor& editor, Label cell, double tolerance, WorkBudget& budget);
+Label cutInSteps(MeshEditor& editor, Label cell, double tolerance, WorkBudget& budget);
 
 /// The best cut of a cell at one of its reflex edges, if it leaves the cells round it better.
 std::optional<CellCut>

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/mps/makeDivisible.h"
 
+#include "libpolymesh/mesh/validate.h"
 #include "libpolymesh/mps/cones.h"
 #include "libpolymesh/mps/splitFaces.h"
 #include "libpolymesh/mps/untangle.h"
+#include "libpolymesh/quality/convexDecomposition.h"
 
 #include <utility>
 
@@ -34,12 +36,35 @@ bool makeCones(Divisible& work) {
     return true;
 }
 
+void helpLocally(Divisible& work) {
+    constexpr double straight = 1e-3; // corners that are hardly convex, beside concave ones
+    constexpr int rounds = 3;
+    for (int round = 0; round < rounds && !work.plan.inverted.empty(); ++round) {
+        splitFaces(work, {straight, round > 0});
+        if (!makeCones(work) && round > 0) break;
+    }
+}
+
+/// Cuts the cells that are left into convex ones where they are concave (holes through a cell, no
+/// point that sees all faces). Returns false when that changes nothing, or spoils the mesh.
+bool cutConcave(Divisible& work) {
+    PolyMesh cut = work.mesh;
+    const DecompositionCounts counts = decomposeCells(cut, work.plan.inverted);
+    if (counts.cuts + counts.cellPoints + counts.splitFaces == 0 || !validate(cut).empty())
+        return false;
+    work.cutCells += counts.cuts;
+    work.newCells += cut.cellCount - work.mesh.cellCount;
+    work.mesh = std::move(cut);
+    work.plan = planSubdivision(work.mesh);
+    work.movedPoints = untangle(work.mesh, work.plan);
+    return true;
+}
+
 } // namespace
 
 Divisible makeDivisible(PolyMesh mesh) {
-    constexpr double bent = 0;        // corners that are concave
-    constexpr double straight = 1e-3; // and those that are hardly convex
-    constexpr int rounds = 3;
+    constexpr double bent = 0; // corners that are concave
+    constexpr int attempts = 2;
     Divisible work;
     work.mesh = std::move(mesh);
     work.plan = planSubdivision(work.mesh);
@@ -47,10 +72,9 @@ Divisible makeDivisible(PolyMesh mesh) {
     work.movedPoints = untangle(work.mesh, work.plan);
     splitFaces(work, {bent});
     makeCones(work);
-    for (int round = 0; round < rounds && !work.plan.inverted.empty(); ++round) {
-        splitFaces(work, {straight, round > 0});
-        if (!makeCones(work) && round > 0) break;
-    }
+    helpLocally(work);
+    for (int i = 0; i < attempts && !work.plan.inverted.empty() && cutConcave(work); ++i)
+        helpLocally(work);
     return work;
 }
 

@@ -14,6 +14,7 @@ struct Divisible {
     Label firstInverted = 0; // cells with inverted parts before anything was done
     Label splitFaces = 0;    // faces replaced by pieces
     Label conedCells = 0;    // cells replaced by cones over a new point
+    Label cutCells = 0;      // cuts of concave cells (quality/convexDecomposition.h)
     Label newCells = 0;      // by which the mesh has grown
     Label movedPoints = 0;   // new and hanging points inside that left their places
 };

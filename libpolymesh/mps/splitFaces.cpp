@@ -24,8 +24,11 @@ double scaledTriple(const Vec3& a, const Vec3& b, const Vec3& c) {
 /// Splits one face after the other, and remembers the diagonals.
 class FaceSplitter {
 public:
-    FaceSplitter(const PolyMesh& mesh, const SubdivisionPlan& plan, const FaceSplitRule& rule)
-        : mesh_(mesh), plan_(plan), rule_(rule) {}
+    FaceSplitter(const PolyMesh& mesh,
+                 const SubdivisionPlan& plan,
+                 std::span<const Label> cells,
+                 const FaceSplitRule& rule)
+        : mesh_(mesh), plan_(plan), cells_(cells), rule_(rule) {}
 
     /// The pieces of a face; itself alone when it has no corner to split or no way to.
     std::vector<Polygon> piecesOf(Label face) {
@@ -34,9 +37,12 @@ public:
         const Vec3 area = faceArea(loop);
         inward_ = -area;
         centre_ = plan_.points[index(plan_.layout.firstCell + mesh_.owner[index(face)])];
-        if (isInternal_)
-            otherCentre_ =
-                plan_.points[index(plan_.layout.firstCell + mesh_.neighbour[index(face)])];
+        isOwnerIn_ = std::ranges::binary_search(cells_, mesh_.owner[index(face)]);
+        if (isInternal_) {
+            const Label neighbour = mesh_.neighbour[index(face)];
+            otherCentre_ = plan_.points[index(plan_.layout.firstCell + neighbour)];
+            isNeighbourIn_ = std::ranges::binary_search(cells_, neighbour);
+        }
         std::vector<Polygon> pending{Polygon(loop.begin(), loop.end())};
         std::vector<Polygon> pieces;
         while (!pending.empty()) {
@@ -73,10 +79,9 @@ private:
         const Vec3 a = point(before) - at;
         const Vec3 b = point(after) - at;
         if (!isInternal_) return scaledTriple(a, b, centre_ - at);
-        const double flat = scaledTriple(a, b, inward_);
-        if (!rule_.isStrict) return flat;
-        return std::min(
-            {flat, scaledTriple(a, b, centre_ - at), scaledTriple(b, a, otherCentre_ - at)});
+        if (!rule_.isStrict) return scaledTriple(a, b, inward_);
+        return std::min(isOwnerIn_ ? scaledTriple(a, b, centre_ - at) : 1.0,
+                        isNeighbourIn_ ? scaledTriple(b, a, otherCentre_ - at) : 1.0);
     }
 
     static Label cyclic(const Polygon& polygon, std::size_t i) {
@@ -146,12 +151,15 @@ private:
 
     const PolyMesh& mesh_;
     const SubdivisionPlan& plan_;
+    std::span<const Label> cells_;
     FaceSplitRule rule_;
     std::set<std::pair<Label, Label>> added_;
     bool isInternal_ = false;
     Vec3 inward_;
-    Vec3 centre_;      // of the owner
-    Vec3 otherCentre_; // of the neighbour
+    Vec3 centre_;            // of the owner
+    Vec3 otherCentre_;       // of the neighbour
+    bool isOwnerIn_ = false; // among the cells to help
+    bool isNeighbourIn_ = false;
 };
 
 /// New labels of the first piece of each face, and of the end.
@@ -221,7 +229,7 @@ std::vector<FacePieces> piecesOfFaces(const PolyMesh& mesh,
         faces.insert(faces.end(), plan.cellFaces[cell].begin(), plan.cellFaces[cell].end());
     std::ranges::sort(faces);
     faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-    FaceSplitter splitter(mesh, plan, rule);
+    FaceSplitter splitter(mesh, plan, cells, rule);
     std::vector<FacePieces> result;
     for (const Label face : faces)
         if (FacePieces split{face, splitter.piecesOf(face)}; split.pieces.size() > 1)

@@ -30,7 +30,8 @@ PolyMesh withPieces(PolyMesh mesh, std::span<const FacePieces> faces);
 /// where the bend goes on: an edge across the face.
 struct FaceSplitRule {
     double least = 1e-3; // corners with a smaller value are split
-    /// Judges internal faces also against the points of both cells, as warped ones need.
+    /// Judges internal faces against the points of those of their cells that are to be helped, as
+    /// warped ones need.
     bool isStrict = false;
 };
 

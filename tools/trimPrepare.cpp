@@ -75,11 +75,13 @@ void checkSelfIntersections(ToolRun& tool, const std::string& file, const TriSur
         report["places"].push_back(toJson(place));
         places += (places.empty() ? "" : ", ") + text(place);
     }
-    warn("{}: the surface intersects itself: {} pairs of triangles, near {}; going on where inside "
-         "and outside are still defined; better unite the parts that overlap",
-         file,
-         found.count,
-         places);
+    warn(
+        "{}: the surface intersects itself: {} pairs of triangles, near {}; going on where inside "
+        "and outside are still defined, but cells at these places, and their volume, can be wrong; "
+        "better unite the parts that overlap",
+        file,
+        found.count,
+        places);
 }
 
 /// What is unusual but does no harm.

@@ -107,6 +107,23 @@ Trimmed trimValid(ToolRun& tool, PolyMesh mesh, const TriSurface& surface, TrimO
     return attempt(foam::readPolyMesh(tool.meshDir()));
 }
 
+/// The same; what fails on a surface that intersects itself is a matter of the surface.
+Trimmed trimOrRefuse(ToolRun& tool,
+                     const std::string& file,
+                     PolyMesh mesh,
+                     const TriSurface& surface,
+                     const TrimOptions& how) {
+    try {
+        return trimValid(tool, std::move(mesh), surface, how);
+    } catch (const WorkError& error) {
+        if (tool.report["surface"]["selfIntersections"]["pairs"] == 0) throw;
+        throw InputError(fmt::format("{}: the surface intersects itself (places above), so that no "
+                                     "valid mesh can be made: {}; unite the parts that overlap",
+                                     file,
+                                     error.what()));
+    }
+}
+
 ExitCode run(ToolRun& tool) {
     TrimOptions how = trimOptions(tool.settings);
     how.onStage = [&](const std::string& name) { tool.clock.start(name); };
@@ -121,7 +138,7 @@ ExitCode run(ToolRun& tool) {
     prepareSurface(tool, file, surface);
     const InitialMesh initial = describe(mesh);
     const bool isWithin = checkPlace(tool, file, surface, initial.box);
-    const Trimmed trimmed = trimValid(tool, std::move(mesh), surface, how);
+    const Trimmed trimmed = trimOrRefuse(tool, file, std::move(mesh), surface, how);
     tool.clock.start("write");
     foam::writePolyMesh(trimmed.mesh, tool.meshDir(), format);
     tool.clock.start("report");

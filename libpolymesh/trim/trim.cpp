@@ -8,6 +8,7 @@
 #include "libpolymesh/quality/collapsePoints.h"
 #include "libpolymesh/quality/meshEditor.h"
 #include "libpolymesh/quality/removeZeroSize.h"
+#include "libpolymesh/surface/check.h"
 #include "libpolymesh/surface/features.h"
 #include "libpolymesh/surface/triangleBoxes.h"
 #include "libpolymesh/trim/adjustNodes.h"
@@ -99,6 +100,39 @@ void count(const EditPart& part, const PolyMesh& result, TrimSummary& summary) {
     summary.untouchedCells = result.cellCount - cut;
 }
 
+/// Throws where the surface intersects itself: what has failed then is its fault.
+void refuseSelfIntersections(const TriSurface& surface) {
+    const SelfIntersections found = findSelfIntersections(surface, 1);
+    if (found.count == 0) return;
+    const std::vector<Box> boxes = triangleBoxes(surface);
+    const Box& a = boxes[index(found.first[0][0])];
+    const Box& b = boxes[index(found.first[0][1])];
+    Vec3 place;
+    for (int axis = 0; axis < 3; ++axis)
+        place[axis] = (std::max(a.min[axis], b.min[axis]) + std::min(a.max[axis], b.max[axis])) / 2;
+    throw InputError(
+        fmt::format("the surface intersects itself near ({} {} {}) ({} pairs of triangles do), so "
+                    "that cells cannot be closed; repair the surface (unite overlapping parts) and "
+                    "try again",
+                    place.x,
+                    place.y,
+                    place.z,
+                    found.count));
+}
+
+TrimmedCells divideOrRefuse(const TriSurface& surface,
+                            const Probe& probe,
+                            const PointPositions& positions,
+                            const FaceLoops& loops,
+                            const BoundaryPolygons& boundary) {
+    try {
+        return divideCells(probe, positions, loops, boundary);
+    } catch (const WorkError&) {
+        refuseSelfIntersections(surface);
+        throw;
+    }
+}
+
 } // namespace
 
 Trimmed trim(PolyMesh mesh, TriSurface surface, const TrimOptions& options) {
@@ -141,7 +175,7 @@ Trimmed trim(PolyMesh mesh, TriSurface surface, const TrimOptions& options) {
                             options.featureAngle};
     const BoundaryPolygons boundary =
         simplify(probe, cutter, arrangement, positions, pieces, cellSizes, fidelity, loops);
-    const TrimmedCells cells = divideCells(probe, positions, loops, boundary);
+    const TrimmedCells cells = divideOrRefuse(surface, probe, positions, loops, boundary);
 
     options.onStage("clean up");
     const auto joined = pointsAtNodes(probe, cutter, features, {arrangement, positions}, settled);

@@ -417,6 +417,20 @@ TEST(Trim, aSurfaceOutsideTheMeshLeavesNothing) {
     EXPECT_THROW(trim(box(2, 2, 2), octahedron({5, 5, 5}, 1), exact()), InputError);
 }
 
+TEST(Trim, shellsThatLeaveACellOpenAreRefusedWithThePlace) {
+    // Found at random: the curves of both close on each face, the cell does not.
+    const TriSurface two = join(cuboid({0.5, 0.25, 0.9375}, {0.625, 0.625, 1.5}),
+                                cuboid({0.5625, 0.3125, 0.75}, {0.625, 0.875, 1.125}));
+    for (const Keep keep : {Keep::inside, Keep::outside})
+        try {
+            trim(box(2, 2, 2), two, exact(keep));
+            FAIL() << "not refused";
+        } catch (const InputError& error) {
+            EXPECT_NE(std::string(error.what()).find("intersects itself near ("), std::string::npos)
+                << error.what();
+        }
+}
+
 TEST(Trim, overlappingShellsAreRefusedWithThePlace) {
     TriSurface two = cuboid({.2, .2, .2}, {.6, .6, .6});
     const TriSurface other = cuboid({.4, .4, .4}, {.8, .8, .8});

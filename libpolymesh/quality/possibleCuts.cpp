@@ -25,8 +25,10 @@ Vec3 normalAt(MeshEditor& editor, Label f, Label cell, Label a, Label b) {
     return (editor.face(f).owner == cell ? 1.0 : -1.0) * (dot(n, g.area) > 0 ? n : g.area);
 }
 
-/// The planes in which a cell might be cut at a reflex edge: on along either face, and between.
-std::vector<EdgePlane> planesAt(MeshEditor& editor, Label cell, const ReflexEdge& edge) {
+/// The planes in which a cell might be cut at a reflex edge: on along either face, and last
+/// half-way between; with `quarters` also between these.
+std::vector<EdgePlane>
+planesAt(MeshEditor& editor, Label cell, const ReflexEdge& edge, bool quarters = false) {
     const Vec3 axis = editor.point(edge.high) - editor.point(edge.low);
     Vec3 u = normalAt(editor, edge.f, cell, edge.low, edge.high);
     Vec3 v = normalAt(editor, edge.g, cell, edge.low, edge.high);
@@ -34,8 +36,15 @@ std::vector<EdgePlane> planesAt(MeshEditor& editor, Label cell, const ReflexEdge
     v = v / std::max(norm(v), 1e-300);
     // The middle plane holds the edge and the sum of the normals, as these point out of the cell.
     const Vec3 middle = cross(axis, u + v);
+    std::vector<Vec3> normals{u, v};
+    if (quarters && norm(middle) > 0) {
+        const Vec3 towardsU = (dot(middle, u) > 0 ? 1.0 : -1.0) / norm(middle) * middle;
+        normals.push_back(u + towardsU);
+        normals.push_back(v - towardsU);
+    }
+    normals.push_back(middle);
     std::vector<EdgePlane> planes;
-    for (const Vec3& normal : {u, v, middle}) {
+    for (const Vec3& normal : normals) {
         const double length = norm(normal);
         if (length > 1e-12 * norm(axis)) planes.push_back({edge.low, edge.high, normal / length});
     }
@@ -145,7 +154,13 @@ public:
         return std::move(cuts_);
     }
 
+    /// More planes at the reflex edges, then one at each edge.
     std::vector<Cut> atAllEdges() {
+        for (const ReflexEdge& edge : reflexEdges(editor_, cell_, aim_.tolerance))
+            for (const EdgePlane& plane : planesAt(editor_, cell_, edge, true))
+                for (const double snap : {0.4, 0.15, 0.0})
+                    if (!tryPlane(plane, snap, forbiddenEdges(editor_, edge, {})))
+                        return std::move(cuts_);
         const double noTolerance = -4; // [rad] no angle is excluded
         for (const ReflexEdge& edge : reflexEdges(editor_, cell_, noTolerance)) {
             const EdgePlane middle = planesAt(editor_, cell_, edge).back();
@@ -237,8 +252,9 @@ std::vector<Cut> possibleCuts(MeshEditor& editor,
 std::vector<Cut>
 halvingCuts(MeshEditor& editor, Label cell, std::span<const Label> region, WorkBudget& budget) {
     constexpr std::size_t maxFaces = 40; // the number of edges to try grows with the faces
+    constexpr double tolerance = 0.05;   // [rad]
     if (editor.cell(cell).faces.size() > maxFaces) return {};
-    return CutSearch(editor, cell, region, CutAim(), budget).atAllEdges();
+    return CutSearch(editor, cell, region, {tolerance, false}, budget).atAllEdges();
 }
 
 } // namespace polymesh

@@ -94,8 +94,10 @@ std::vector<CellLoop> LoopFinder::loopsBeside(const CellLoop& found) const {
                     taken[i] = true;
     };
     take(found);
+    constexpr std::size_t maxLoops = 8;
     std::vector<CellLoop> loops;
     for (const Step& step : steps_) {
+        if (loops.size() == maxLoops) break;
         if (step.face < 0 || taken[step.from] || taken[step.to]) continue;
         auto loop = shortestWay(step.from, step.to, taken);
         if (!loop || loop->size() < 3) continue;

@@ -30,13 +30,10 @@ constexpr double largestVolumeChange = 2e-3; // of the cube of the size of the c
 
 constexpr double largestMerged = 2.6; // volume of a merged cell, of the cube of its size
 
-enum class Remedy : std::uint8_t { cut, merge, collapse, collapseAll, splitFace, remake };
+enum class Remedy : std::uint8_t { cut, merge, collapse, collapseAll, splitFace };
 
 constexpr std::array<double, 3> shortLimits{
     0.03, 0.06, 0.12}; // for collapseAll, of the size of the cell
-
-/// The last resorts.
-enum class Remake : std::uint8_t { convex, pyramids };
 
 /// A change that might be made, and what it would do to the badness round it.
 struct Proposal {
@@ -49,7 +46,6 @@ struct Proposal {
     Label failures = 0;
     double severity = 0;
     CellCut loops = {}; // for cut
-    Remake how = Remake::convex;
 };
 
 bool isGood(const Proposal& p) {
@@ -140,17 +136,6 @@ bool splitAtChord(MeshEditor& editor, const Proposal& chord) {
     return allBalls(editor, parts) && allBalls(editor, both);
 }
 
-/// Makes a cell into many: convex ones, or a pyramid on each face.
-bool remake(MeshEditor& editor, Label cell, Remake how) {
-    if (how == Remake::convex) {
-        WorkBudget budget(400);
-        budget.startCell(0);
-        return decomposeCell(editor, cell, {concaveAngle, 20}, budget).concaveCells > 0;
-    }
-    const auto apex = starPoint(editor, cell);
-    return apex && !makePyramids(editor, cell, *apex).empty();
-}
-
 /// Looks for the best change round one cell.
 class RepairSearch {
 public:
@@ -169,13 +154,6 @@ public:
         if (!best_) proposeCut(bestHalvingCut(editor_, cell_, budget_));
         if (!best_) proposeFaceSplits();
         return best_ || !mayPassOn ? best_ : fallback_;
-    }
-
-    /// Where all that has failed: the cell is made into many.
-    std::optional<Proposal> bestRemake() {
-        for (const Remake how : {Remake::convex, Remake::pyramids})
-            if (!best_) proposeRemake(how);
-        return best_;
     }
 
 private:
@@ -213,23 +191,6 @@ private:
     }
 
     bool spend() { return budget_.spend(editor_.cell(cell_).faces.size()); }
-
-    void proposeRemake(Remake how) {
-        if (!spend()) return;
-        const std::array<Label, 1> one{cell_};
-        std::vector<Label> region = withNeighbours(editor_, one);
-        const Badness before = badnessOf(editor_, region);
-        const MeshEditor::Mark mark = editor_.mark();
-        const Label oldCells = editor_.cellCount();
-        if (remake(editor_, cell_, how)) {
-            for (Label c = oldCells; c < editor_.cellCount(); ++c)
-                region.push_back(c);
-            Proposal proposal{.remedy = Remedy::remake, .from = cell_};
-            proposal.how = how;
-            consider(proposal, before, badnessOf(editor_, region));
-        }
-        editor_.undoTo(mark);
-    }
 
     void proposeMerge(Label from, Label into) {
         const std::size_t faces = editor_.cell(from).faces.size() + editor_.cell(into).faces.size();
@@ -348,13 +309,6 @@ void apply(MeshEditor& editor,
         splitAtChord(editor, proposal);
         if (editor.cellCount() > oldCells) cells.push_back(oldCells);
         ++counts.splits;
-    } else if (proposal.remedy == Remedy::remake) {
-        cells = {proposal.from};
-        const Label oldCells = editor.cellCount();
-        remake(editor, proposal.from, proposal.how);
-        for (Label c = oldCells; c < editor.cellCount(); ++c)
-            cells.push_back(c);
-        ++counts.remakes;
     } else if (proposal.remedy == Remedy::collapseAll) {
         const std::array<Label, 1> one{proposal.from};
         cells = withNeighbours(editor, one);
@@ -403,15 +357,38 @@ void mendFailingCells(MeshEditor& editor, WorkBudget& budget, RepairCounts& coun
     }
 }
 
-/// Makes cells that still fail into many.
+/// Makes a cell into many by `remake` if that leaves the cells round it better.
+template<class Remake>
+bool remakeCell(MeshEditor& editor, Label cell, Remake&& remake) {
+    const std::array<Label, 1> one{cell};
+    std::vector<Label> region = withNeighbours(editor, one);
+    const Badness before = badnessOf(editor, region);
+    const MeshEditor::Mark mark = editor.mark();
+    const Label oldCells = editor.cellCount();
+    remake();
+    for (Label c = oldCells; c < editor.cellCount(); ++c)
+        region.push_back(c);
+    if (isBetter(badnessOf(editor, region), before)) return true;
+    editor.undoTo(mark);
+    return false;
+}
+
+/// Makes cells that still fail into convex ones, or into pyramids on their faces.
 void remakeFailingCells(MeshEditor& editor, WorkBudget& budget, RepairCounts& counts) {
     const std::vector<Label> failing = failingCells(editor);
-    std::deque<Label> touched; // not looked at again
     for (std::size_t i = 0; i < failing.size() && !budget.isSpent(); ++i) {
-        if (editor.cell(failing[i]).isRemoved() || !isFailing(editor, failing[i])) continue;
+        const Label c = failing[i];
+        if (!isFailing(editor, c)) continue;
         budget.startCell(failing.size() - i);
-        const auto proposal = RepairSearch(editor, failing[i], budget).bestRemake();
-        if (proposal) apply(editor, *proposal, counts, touched);
+        const auto makeConvex = [&] { decomposeCell(editor, c, {concaveAngle, 20}, budget); };
+        const auto makePyramidsOfIt = [&] {
+            const auto apex = starPoint(editor, c);
+            if (apex) makePyramids(editor, c, *apex);
+        };
+        counts.remakes +=
+            remakeCell(editor, c, makeConvex) || (budget.spend(4 * editor.cell(c).faces.size()) &&
+                                                  remakeCell(editor, c, makePyramidsOfIt));
+        editor.commit();
     }
 }
 

@@ -413,6 +413,26 @@ TEST(Trim, aThinRodOnTheBoundaryOfTheMeshLeavesAHole) {
         }
 }
 
+TEST(Trim, aPrismWhoseEdgesTouchTheBoundaryAndNearlyAGridPlaneIsExact) {
+    // Of its edges two lie on a grid plane, two beside it by rounding.
+    TriSurface prism = cylinder(4, 0.25);
+    for (Vec3& p : prism.points)
+        p = {0.5 + 0.5 * p.x, 0.5 + 0.5 * p.y, 0.1 + p.z * 0.8};
+    expectExact(box(2, 2, 2), prism);
+}
+
+TEST(Trim, facesWithTooFewPointsAreNotLeftByDistortedCells) {
+    // Both have given faces with two points.
+    for (const auto& [n, seed] : {std::array<unsigned, 2>{4, 1121}, {3, 584}}) {
+        const Vec3 centre{0.5, 0.5, 0.5};
+        const TriSurface shell = join(sphere(2, 0.45, centre), inverted(sphere(1, 0.25, centre)));
+        const auto count = static_cast<Label>(n);
+        const PolyMesh mesh = jittered(box(count, count, count), 0.15 / n, seed);
+        trimmed(mesh, shell, exact());
+        trimmed(mesh, shell, exact(Keep::outside));
+    }
+}
+
 TEST(Trim, aSurfaceOutsideTheMeshLeavesNothing) {
     EXPECT_THROW(trim(box(2, 2, 2), octahedron({5, 5, 5}, 1), exact()), InputError);
 }

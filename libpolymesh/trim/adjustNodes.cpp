@@ -275,7 +275,13 @@ AdjustedNodes adjustNodes(PolyMesh& mesh,
                           const SurfaceFeatures& features,
                           const AdjustOptions& options) {
     if (options.how == Adjust::none || options.distance <= 0) return {};
-    return Adjustment(mesh, findMoves(mesh, surface, features, options)).run();
+    std::vector<NodeMove> moves = findMoves(mesh, surface, features, options);
+    const auto kept = std::erase_if(moves, [&](const NodeMove& move) {
+        return std::ranges::binary_search(options.kept, move.node);
+    });
+    AdjustedNodes adjusted = Adjustment(mesh, std::move(moves)).run();
+    adjusted.counts.refused += toLabel(kept);
+    return adjusted;
 }
 
 } // namespace polymesh

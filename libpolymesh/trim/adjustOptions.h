@@ -5,6 +5,7 @@
 #include "libpolymesh/base/label.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace polymesh {
 
@@ -13,7 +14,8 @@ enum class Adjust : std::uint8_t { none, project, repel };
 
 struct AdjustOptions {
     Adjust how = Adjust::none;
-    double distance = 0.3; // nearer is near; fraction of the shortest edge at the node
+    double distance = 0.3;   // nearer is near; fraction of the shortest edge at the node
+    std::vector<Label> kept; // nodes that stay where they are, ascending
 };
 
 /// Where a node was moved to; the first is the most important.

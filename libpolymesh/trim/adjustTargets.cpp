@@ -69,7 +69,7 @@ public:
           features_(features),
           corners_(listed(features.isCorner)),
           featureEdges_(listed(features.isFeature)),
-          tree_(surface_),
+          tree_(cutter.triangleBoxes),
           cornerTree_(boxes(corners_,
                             [&](Label v) {
                                 return std::array<Label, 2>{v, v};
@@ -80,7 +80,21 @@ public:
         sumCornerNormals();
     }
 
-    ClosestPoint closest(const Vec3& p) const { return tree_.closest(p); }
+    /// The closest point of the surface within reach of p; triangle -1: there is none.
+    ClosestPoint closest(const Vec3& p, double reach) const {
+        ClosestPoint best;
+        double best2 = reach * reach;
+        tree_.forEachNear(boxRound(p, reach), [&](Label t) {
+            const Vec3 q = closestPoint(
+                {surface_.corner(t, 0), surface_.corner(t, 1), surface_.corner(t, 2)}, p);
+            const double d2 = squaredNorm(q - p);
+            if (d2 > best2 || (d2 == best2 && best.triangle >= 0 && t > best.triangle)) return;
+            best2 = d2;
+            best = {q, 0, t};
+        });
+        best.distance = std::sqrt(best2);
+        return best;
+    }
 
     Vec3 normal(Label triangle) const { return unit(areaNormal(surface_, triangle)); }
 
@@ -143,8 +157,8 @@ public:
 
     /// The closest place on a triangle that a node at p may go to.
     std::optional<NodeMove> onFace(const Vec3& p, double reach, const NodeFreedom& freedom) const {
-        ClosestPoint found = closest(p);
-        if (found.distance > reach) return std::nullopt;
+        ClosestPoint found = closest(p, reach);
+        if (found.triangle < 0) return std::nullopt;
         Vec3 place = flush(found, found.point);
         if (!freedom.isFree()) {
             place = p;
@@ -156,7 +170,8 @@ public:
                 if (slope < 0.1) return std::nullopt;
                 place += (dot(found.point - place, n) / slope) * way;
                 place = freedom.held(flush(found, place), p);
-                found = closest(place);
+                found = closest(place, reach);
+                if (found.triangle < 0) return std::nullopt;
             }
             if (found.distance > 1e-12 * norm(place) + 1e-9 * reach) return std::nullopt;
         }
@@ -255,7 +270,7 @@ private:
     const SurfaceFeatures& features_;
     std::vector<Label> corners_;
     std::vector<Label> featureEdges_;
-    SurfaceTree tree_;
+    BoxTree tree_;
     BoxTree cornerTree_;
     BoxTree edgeTree_;
     std::vector<Vec3> cornerNormals_; // beside corners_
@@ -300,11 +315,13 @@ private:
             parallelSum(mesh_.pointCount(), 0.0, [&](Label p) { return sizes[index(p)]; }) /
             static_cast<double>(std::max<std::size_t>(sizes.size(), 1));
         const TriangleBins bins(surface, mean);
+        const double farthest =
+            options_.distance * (options_.how == Adjust::project ? std::numbers::sqrt3 : 1);
         constexpr Label block = 4096;
         std::vector<std::vector<NearNode>> parts(index((mesh_.pointCount() + block - 1) / block));
         parallelBlocks(mesh_.pointCount(), block, [&](Label b, Label first, Label last) {
             for (Label p = first; p < last; ++p) {
-                const double reach = std::numbers::sqrt3 * options_.distance * sizes[index(p)];
+                const double reach = farthest * sizes[index(p)];
                 const Vec3& at = mesh_.points[index(p)];
                 TriangleBins::Range range;
                 range.add(bins.binOf(at - Vec3{reach, reach, reach}));
@@ -372,8 +389,8 @@ private:
     }
 
     std::optional<NodeMove> repel(const NearNode& near) const {
-        const ClosestPoint closest = targets_.closest(at(near));
-        if (closest.distance >= reach(near)) return std::nullopt;
+        const ClosestPoint closest = targets_.closest(at(near), reach(near));
+        if (closest.triangle < 0) return std::nullopt;
         const Vec3 way = at(near) - closest.point;
         const bool isOn = closest.distance < 1e-9 * near.size;
         const Vec3 direction = isOn ? targets_.normal(closest.triangle) : unit(way);

@@ -7,6 +7,7 @@
 #include "libpolymesh/quality/cellTopology.h"
 #include "libpolymesh/quality/cleanUp.h"
 #include "libpolymesh/quality/collapsePoints.h"
+#include "libpolymesh/quality/editQuality.h"
 #include "libpolymesh/quality/meshEditor.h"
 #include "libpolymesh/quality/removeZeroSize.h"
 #include "libpolymesh/surface/check.h"
@@ -29,6 +30,7 @@
 #include "libpolymesh/trim/trimmedCells.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -145,19 +147,40 @@ TrimmedCells divideOrRefuse(const TriSurface& surface,
     }
 }
 
-} // namespace
+/// A trimmed mesh, and boxes round the cells of it that checkMesh fails, wider by half a cell [m].
+struct Cut {
+    Trimmed trimmed;
+    std::vector<Box> badPlaces;
+};
 
-Trimmed trim(PolyMesh mesh, TriSurface surface, const TrimOptions& options) {
-    Trimmed result;
-    options.onStage("features");
-    const bool isOutside = options.keep == Keep::outside;
-    if (isOutside) turnInsideOut(surface);
-    CuttingSurface cutter{&surface, pairEdges(surface), triangleBoxes(surface)};
-    const SurfaceFeatures features = findFeatures(surface, cutter.edges, options.featureAngle);
-    if (options.adjust.how != Adjust::none) options.onStage("adjust");
-    const AdjustedNodes adjusted = adjustNodes(mesh, cutter, features, options.adjust);
+std::vector<Box> findBadPlaces(EditPart& part) {
+    std::vector<Box> places;
+    MeshEditor editor(part.mesh);
+    for (Label c = 0; c < editor.cellCount(); ++c) {
+        const std::array<Label, 1> one{c};
+        if (badnessOf(editor, one).failures == 0) continue;
+        Box box;
+        for (const Label f : editor.cell(c).faces)
+            for (const Label p : editor.face(f).points)
+                box.add(editor.point(p));
+        const double half = 0.5 * editor.cell(c).size;
+        box.min -= {half, half, half};
+        box.max += {half, half, half};
+        places.push_back(box);
+    }
+    return places;
+}
+
+/// Trims a mesh whose nodes have been adjusted.
+Cut cutMesh(PolyMesh mesh,
+            const CuttingSurface& cutter,
+            const SurfaceFeatures& features,
+            const AdjustedNodes& adjusted,
+            const TrimOptions& options) {
+    Cut cut;
+    Trimmed& result = cut.trimmed;
+    const TriSurface& surface = *cutter.surface;
     result.summary.adjusted = adjusted.counts;
-
     options.onStage("candidates");
     Probe probe = buildProbe(mesh, surface, cutter.triangleBoxes);
     const std::vector<SettledNode> settled = probedNodes(probe, adjusted.settled);
@@ -166,7 +189,7 @@ Trimmed trim(PolyMesh mesh, TriSurface surface, const TrimOptions& options) {
     Arrangement arrangement;
     crossEdges(probe, cutter, arrangement);
     std::vector<std::int8_t> cellWinding =
-        windNodes(mesh, probe, cutter, isOutside ? 1 : 0, arrangement);
+        windNodes(mesh, probe, cutter, options.keep == Keep::outside ? 1 : 0, arrangement);
     dropOutside(mesh, probe, cellWinding);
 
     options.onStage("faces");
@@ -209,6 +232,7 @@ Trimmed trim(PolyMesh mesh, TriSurface surface, const TrimOptions& options) {
                                   mergeCoincident(probe, cutter, arrangement, joined));
     if (mayTouch(probe, cutter, arrangement)) tidyTouchingFaces(part, result.summary);
     tidy(part, options, result.summary);
+    if (!settled.empty() && result.summary.badCells > 0) cut.badPlaces = findBadPlaces(part);
 
     options.onStage("assemble");
     std::vector<std::string> types = options.regionTypes;
@@ -222,7 +246,54 @@ Trimmed trim(PolyMesh mesh, TriSurface surface, const TrimOptions& options) {
         toLabel(static_cast<std::size_t>(std::ranges::count(features.isFeature, char{1})));
     result.summary.featureCorners =
         toLabel(static_cast<std::size_t>(std::ranges::count(features.isCorner, char{1})));
-    return result;
+    return cut;
+}
+
+/// Adds the nodes on the surface that are in one of the boxes to `kept`; false when there are none.
+bool keepNodes(const AdjustedNodes& adjusted,
+               const std::vector<Box>& boxes,
+               std::vector<Label>& kept) {
+    const std::size_t before = kept.size();
+    for (const SettledNode& node : adjusted.settled)
+        if (std::ranges::any_of(boxes, [&](const Box& box) { return box.contains(node.place); }))
+            kept.push_back(node.node);
+    std::ranges::sort(kept);
+    return kept.size() > before;
+}
+
+/// Puts nodes onto the surface and trims. Where that leaves bad cells it is done again without the
+/// nodes round these, and the best result counts.
+Trimmed trimProjected(const PolyMesh& mesh,
+                      const CuttingSurface& cutter,
+                      const SurfaceFeatures& features,
+                      TrimOptions options) {
+    constexpr int mostTries = 4;
+    Trimmed best;
+    for (int i = 0; i < mostTries; ++i) {
+        PolyMesh moved = mesh;
+        const AdjustedNodes adjusted = adjustNodes(moved, cutter, features, options.adjust);
+        Cut cut = cutMesh(std::move(moved), cutter, features, adjusted, options);
+        if (i == 0 || cut.trimmed.summary.badCells < best.summary.badCells)
+            best = std::move(cut.trimmed);
+        if (!keepNodes(adjusted, cut.badPlaces, options.adjust.kept)) break;
+        if (i == 0) options.onStage("try again");
+        options.onStage = [](const std::string&) {};
+    }
+    return best;
+}
+
+} // namespace
+
+Trimmed trim(PolyMesh mesh, TriSurface surface, const TrimOptions& options) {
+    options.onStage("features");
+    if (options.keep == Keep::outside) turnInsideOut(surface);
+    const CuttingSurface cutter{&surface, pairEdges(surface), triangleBoxes(surface)};
+    const SurfaceFeatures features = findFeatures(surface, cutter.edges, options.featureAngle);
+    if (options.adjust.how != Adjust::none) options.onStage("adjust");
+    if (options.adjust.how == Adjust::project)
+        return trimProjected(mesh, cutter, features, options);
+    const AdjustedNodes adjusted = adjustNodes(mesh, cutter, features, options.adjust);
+    return cutMesh(std::move(mesh), cutter, features, adjusted, options).trimmed;
 }
 
 } // namespace polymesh

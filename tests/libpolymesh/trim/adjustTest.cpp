@@ -21,8 +21,8 @@
 namespace polymesh::test {
 namespace {
 
-constexpr AdjustOptions project{Adjust::project, 0.3};
-constexpr AdjustOptions repel{Adjust::repel, 0.3};
+const AdjustOptions project{Adjust::project, 0.3, {}};
+const AdjustOptions repel{Adjust::repel, 0.3, {}};
 
 AdjustedNodes adjust(PolyMesh& mesh, const TriSurface& surface, const AdjustOptions& options) {
     const CuttingSurface cutter{&surface, pairEdges(surface), triangleBoxes(surface)};
@@ -180,7 +180,7 @@ TEST(AdjustNodes, refusesWhatMakesACellTooThin) {
     PolyMesh mesh = box(4, 4, 4, {4, 4, 4});
     // Both layers of nodes beside this plate would go onto it.
     const TriSurface plate = cuboid({-1, -1, 1.49}, {5, 5, 1.51});
-    const AdjustedNodes adjusted = adjust(mesh, plate, {Adjust::project, 0.5});
+    const AdjustedNodes adjusted = adjust(mesh, plate, {Adjust::project, 0.5, {}});
     EXPECT_GT(adjusted.counts.refused, 0);
     EXPECT_GT(adjusted.counts.faces, 0);
     EXPECT_GT(worstCell(mesh), 0.1);

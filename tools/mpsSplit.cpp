@@ -4,9 +4,13 @@
 // mpsSplit: constant/polyMesh -> mid-point subdivision -> constant/polyMesh.
 
 #include "formats/foam/polyMeshIo.h"
+#include "formats/surfaceIo.h"
 #include "libpolymesh/mps/makeDivisible.h"
+#include "libpolymesh/mps/projectBoundary.h"
 #include "tools/mpsSplitReport.h"
 #include "tools/toolMain.h"
+
+#include <numbers>
 
 namespace polymesh::tools {
 
@@ -15,7 +19,24 @@ namespace {
 const ToolDescription description{
     "mpsSplit", "divides every cell of the mesh into hexahedra and a few pyramids", {}};
 
-const std::vector<Option> options{};
+const std::vector<Option> options{
+    {"surface",
+     "FILE",
+     "put the new boundary points onto this closed surface (STL, OBJ, OFF, PLY, also .gz) [m], "
+     "where that inverts nothing"},
+    {"featureAngle", "DEG", "with -surface: edges sharper than this are kept [deg]; default 30"}};
+
+void project(ToolRun& tool, Divisible& divisible) {
+    if (!tool.settings.has("surface")) return;
+    const std::string file = tool.surfaceFile(tool.settings.text("surface")).string();
+    tool.clock.start("project");
+    const double angle = tool.settings.numberOr(30, "featureAngle", 0, 180);
+    reportProjection(tool,
+                     projectBoundary(divisible.mesh,
+                                     divisible.plan,
+                                     readSurface(file),
+                                     angle * std::numbers::pi / 180)); // deg to rad
+}
 
 ExitCode run(ToolRun& tool) {
     const foam::WriteFormat format = tool.writeFormat();
@@ -26,6 +47,7 @@ ExitCode run(ToolRun& tool) {
     tool.clock.start("plan");
     const UndividedMesh undivided = describe(mesh);
     Divisible divisible = makeDivisible(std::move(mesh));
+    project(tool, divisible);
     const MpsFigures figures = figuresOf(undivided, divisible);
     tool.clock.start("divide");
     const PolyMesh result = divide(divisible.mesh, std::move(divisible.plan));

@@ -50,15 +50,17 @@ std::vector<InvertedCell> invertedOf(const PolyMesh& mesh, const SubdivisionPlan
 /// What was done so that parts are not inverted.
 void reportHelp(ToolRun& tool, const MpsFigures& figures) {
     tool.say("helped     {} cells that would have had an inverted part: {} faces split, {} cells "
-             "cut into {}, {} points moved",
+             "cut, {} of them from a new point; {} more cells; {} points moved",
              figures.firstInverted,
              figures.splitFaces,
+             figures.conedCells + figures.cutCells,
              figures.conedCells,
-             figures.conedCells + figures.newCells,
+             figures.newCells,
              figures.movedPoints);
     tool.report["helpedCells"] = figures.firstInverted;
     tool.report["splitFaces"] = figures.splitFaces;
     tool.report["newPointCells"] = figures.conedCells;
+    tool.report["concaveCuts"] = figures.cutCells;
     tool.report["newCells"] = figures.newCells;
     tool.report["movedPoints"] = figures.movedPoints;
 }
@@ -113,6 +115,7 @@ MpsFigures figuresOf(const UndividedMesh& undivided, const Divisible& divisible)
                        divisible.firstInverted,
                        divisible.splitFaces,
                        divisible.conedCells,
+                       divisible.cutCells,
                        divisible.newCells,
                        divisible.movedPoints,
                        demandedCounts(divisible.mesh),
@@ -154,6 +157,20 @@ void refuseInvalid(ToolRun& tool, const PolyMesh& mesh) {
                "invertedCells",
                inverted);
     require(defects.empty(), "{}: {}", tool.meshDir().string(), defects.front().message);
+}
+
+void reportProjection(ToolRun& tool, const ProjectionCounts& counts) {
+    tool.say(
+        "projected  {} new boundary points, {} of them onto feature edges, by {:.3g} m at most; "
+        "{} taken back, since a part would have been inverted",
+        counts.moved,
+        counts.onFeatures,
+        counts.largestMove,
+        counts.refused);
+    tool.report["projected"] = counts.moved;
+    tool.report["projectedOnFeatures"] = counts.onFeatures;
+    tool.report["projectionRefused"] = counts.refused;
+    tool.report["largestMove"] = counts.largestMove;
 }
 
 bool reportSplit(ToolRun& tool, const MpsFigures& figures, const PolyMesh& result) {

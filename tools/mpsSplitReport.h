@@ -3,6 +3,7 @@
 #pragma once
 
 #include "libpolymesh/mps/makeDivisible.h"
+#include "libpolymesh/mps/projectBoundary.h"
 #include "tools/toolMain.h"
 
 #include <vector>
@@ -28,6 +29,7 @@ struct MpsFigures {
     Label firstInverted = 0;
     Label splitFaces = 0;
     Label conedCells = 0;
+    Label cutCells = 0;
     Label newCells = 0;
     Label movedPoints = 0;
     SubdivisionCounts demanded;
@@ -48,6 +50,8 @@ void requireConformal(const PolyMesh& result, const MpsFigures& figures);
 /// Throws InputError for a mesh that breaks PolyMesh's laws or has cells without volume, after
 /// writing those to sets; the mesh stays as it is.
 void refuseInvalid(ToolRun& tool, const PolyMesh& mesh);
+
+void reportProjection(ToolRun& tool, const ProjectionCounts& counts);
 
 /// Says what was done and puts the same into the report; writes the cells with an inverted part to
 /// sets. Throws WorkError when the result has not the hexahedra and pyramids that theory demands.

@@ -32,6 +32,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace polymesh {
@@ -147,26 +148,30 @@ TrimmedCells divideOrRefuse(const TriSurface& surface,
     }
 }
 
-/// A trimmed mesh, and boxes round the cells of it that checkMesh fails, wider by half a cell [m].
+/// A trimmed mesh, and boxes round the cells that came out bad, wider by half a cell [m].
 struct Cut {
     Trimmed trimmed;
     std::vector<Box> badPlaces;
+    bool isOpen = false; // there is no mesh: those cells do not close
 };
 
-std::vector<Box> findBadPlaces(EditPart& part) {
+/// The places of the cells that are open, or else of those that checkMesh fails.
+std::vector<Box> findBadPlaces(EditPart& part, bool isOpen) {
     std::vector<Box> places;
     MeshEditor editor(part.mesh);
     for (Label c = 0; c < editor.cellCount(); ++c) {
+        const EditCell& cell = editor.cell(c);
+        if (cell.frozen || cell.isRemoved()) continue;
         const std::array<Label, 1> one{c};
-        if (badnessOf(editor, one).failures == 0) continue;
+        const bool isBad = isOpen ? cellShape(part.mesh, c) == CellShape::broken
+                                  : badnessOf(editor, one).failures > 0;
+        if (!isBad) continue;
         Box box;
-        for (const Label f : editor.cell(c).faces)
+        for (const Label f : cell.faces)
             for (const Label p : editor.face(f).points)
                 box.add(editor.point(p));
-        const double half = 0.5 * editor.cell(c).size;
-        box.min -= {half, half, half};
-        box.max += {half, half, half};
-        places.push_back(box);
+        const Vec3 half = 0.5 * cell.size * Vec3{1, 1, 1};
+        places.push_back({box.min - half, box.max + half});
     }
     return places;
 }
@@ -230,9 +235,14 @@ Cut cutMesh(PolyMesh mesh,
                                    options.minEdge},
                                   features,
                                   mergeCoincident(probe, cutter, arrangement, joined));
-    if (mayTouch(probe, cutter, arrangement)) tidyTouchingFaces(part, result.summary);
-    tidy(part, options, result.summary);
-    if (!settled.empty() && result.summary.badCells > 0) cut.badPlaces = findBadPlaces(part);
+    try {
+        if (mayTouch(probe, cutter, arrangement)) tidyTouchingFaces(part, result.summary);
+        tidy(part, options, result.summary);
+    } catch (const WorkError&) {
+        if (settled.empty()) throw;
+        return {{}, findBadPlaces(part, true), true};
+    }
+    if (!settled.empty() && result.summary.badCells > 0) cut.badPlaces = findBadPlaces(part, false);
 
     options.onStage("assemble");
     std::vector<std::string> types = options.regionTypes;
@@ -262,24 +272,24 @@ bool keepNodes(const AdjustedNodes& adjusted,
 }
 
 /// Puts nodes onto the surface and trims. Where that leaves bad cells it is done again without the
-/// nodes round these, and the best result counts.
+/// nodes round these, and the best result counts; if there is none, no node is moved.
 Trimmed trimProjected(const PolyMesh& mesh,
                       const CuttingSurface& cutter,
                       const SurfaceFeatures& features,
                       TrimOptions options) {
-    constexpr int mostTries = 4;
-    Trimmed best;
+    constexpr int mostTries = 6;
+    std::optional<Trimmed> best;
     for (int i = 0; i < mostTries; ++i) {
         PolyMesh moved = mesh;
         const AdjustedNodes adjusted = adjustNodes(moved, cutter, features, options.adjust);
         Cut cut = cutMesh(std::move(moved), cutter, features, adjusted, options);
-        if (i == 0 || cut.trimmed.summary.badCells < best.summary.badCells)
+        if (!cut.isOpen && (!best || cut.trimmed.summary.badCells < best->summary.badCells))
             best = std::move(cut.trimmed);
         if (!keepNodes(adjusted, cut.badPlaces, options.adjust.kept)) break;
         if (i == 0) options.onStage("try again");
         options.onStage = [](const std::string&) {};
     }
-    return best;
+    return best ? std::move(*best) : cutMesh(mesh, cutter, features, {}, options).trimmed;
 }
 
 } // namespace

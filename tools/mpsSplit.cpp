@@ -8,6 +8,7 @@
 #include "libpolymesh/mps/makeDivisible.h"
 #include "libpolymesh/mps/projectBoundary.h"
 #include "tools/mpsSplitReport.h"
+#include "tools/mpsSplitSets.h"
 #include "tools/toolMain.h"
 
 #include <numbers>
@@ -44,17 +45,20 @@ ExitCode run(ToolRun& tool) {
     PolyMesh mesh = foam::readPolyMesh(tool.meshDir());
     tool.clock.start("check mesh");
     refuseInvalid(tool, mesh);
+    const TravellingSets travelling = takeSets(tool.meshDir(), mesh);
     tool.clock.start("plan");
     const UndividedMesh undivided = describe(mesh);
     Divisible divisible = makeDivisible(std::move(mesh));
     project(tool, divisible);
     const MpsFigures figures = figuresOf(undivided, divisible);
     tool.clock.start("divide");
-    const PolyMesh result = divide(divisible.mesh, std::move(divisible.plan));
+    PolyMesh result = divide(divisible.mesh, std::move(divisible.plan));
+    const PolyMesh sets = removeSets(travelling, result);
     tool.clock.start("validate");
     requireConformal(result, figures);
     tool.clock.start("write");
     foam::writePolyMesh(result, tool.meshDir(), format);
+    writeSets(tool.meshDir(), sets);
     tool.clock.start("report");
     return reportSplit(tool, figures, result) ? ExitCode::success : ExitCode::failure;
 }

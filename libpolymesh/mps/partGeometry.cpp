@@ -14,6 +14,9 @@ namespace {
 
 using Corner = CellCorners::Corner;
 
+/// Most searches that fail do so early; they are many where cells are concave.
+constexpr Search search{.moves = 30, .margins = 7};
+
 double scaled(const Vec3& a, const Vec3& b, const Vec3& c) {
     const double lengths = norm(a) * norm(b) * norm(c);
     return lengths > 0 ? dot(cross(a, b), c) / lengths : 0;
@@ -115,7 +118,7 @@ Vec3 apexOf(const PartPoints& parts, const CellCorners::Node& node) {
         reach = std::max(reach, squaredNorm(mean[0] - at));
         return false;
     });
-    return pointWithin(halfSpaces, mean[0], std::sqrt(reach)).value_or(mean[0]);
+    return pointWithin(halfSpaces, mean[0], std::sqrt(reach), search).value_or(mean[0]);
 }
 
 } // namespace
@@ -166,7 +169,7 @@ Vec3 cellPoint(const PartPoints& parts, const Vec3& start) {
             parts.ofFace(b.face),
             parts.ofFace(a.face));
     }
-    return pointWithin(halfSpaces, start, reachOf(parts, start)).value_or(start);
+    return pointWithin(halfSpaces, start, reachOf(parts, start), search).value_or(start);
 }
 
 void addApices(const PartPoints& parts, std::vector<Vec3>& apices) {

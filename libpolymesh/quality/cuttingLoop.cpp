@@ -22,9 +22,12 @@ bool onOneEdge(const Polygon& polygon, const LoopCorner& a, const LoopCorner& b)
     return false;
 }
 
-/// True when p, in the plane of the polygon or near it, is inside, seen along the normal's largest
-/// component.
-bool isInside(const MeshEditor& editor, const Polygon& polygon, const Vec3& normal, const Vec3& p) {
+} // namespace
+
+bool isInsidePolygon(const MeshEditor& editor,
+                     const Polygon& polygon,
+                     const Vec3& normal,
+                     const Vec3& p) {
     int drop = 0;
     for (int axis = 1; axis < 3; ++axis)
         if (std::abs(normal[axis]) > std::abs(normal[drop])) drop = axis;
@@ -41,8 +44,6 @@ bool isInside(const MeshEditor& editor, const Polygon& polygon, const Vec3& norm
     }
     return inside;
 }
-
-} // namespace
 
 LoopFinder::LoopFinder(MeshEditor& editor, Label cell)
     : editor_(editor), cell_(cell), size_(editor.cell(cell).size) {
@@ -209,7 +210,7 @@ void LoopFinder::addFaceSteps(Label f) {
         const LoopCorner& a = corners_[onFace[i].second];
         const LoopCorner& b = corners_[onFace[i + 1].second];
         if (onOneEdge(polygon, a, b)) continue;
-        if (isInside(editor_, polygon, normal, 0.5 * (a.position + b.position)))
+        if (isInsidePolygon(editor_, polygon, normal, 0.5 * (a.position + b.position)))
             steps_.push_back({onFace[i].second, onFace[i + 1].second, f});
     }
 }

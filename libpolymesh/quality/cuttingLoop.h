@@ -105,6 +105,13 @@ private:
     std::vector<Step> steps_;
 };
 
+/// True when p, in the plane of the polygon or near it, is inside, seen along the normal's largest
+/// component.
+bool isInsidePolygon(const MeshEditor& editor,
+                     const Polygon& polygon,
+                     const Vec3& normal,
+                     const Vec3& p);
+
 /// The loop of one plane.
 std::optional<CellLoop> findCuttingLoop(
     MeshEditor& editor, Label cell, const EdgePlane& plane, double snap, const EdgeList& forbidden);

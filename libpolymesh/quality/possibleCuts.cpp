@@ -4,6 +4,7 @@
 
 #include "libpolymesh/quality/cellTopology.h"
 #include "libpolymesh/quality/cutCell.h"
+#include "libpolymesh/quality/greedyLoop.h"
 #include "libpolymesh/quality/polygons.h"
 
 #include <algorithm>
@@ -151,16 +152,18 @@ public:
                             return std::move(cuts_);
                 }
         }
+        if (aim_.wantsConvex && cuts_.empty()) tryGreedyLoops(reflex);
         return std::move(cuts_);
     }
 
     /// More planes at the reflex edges, then one at each edge.
     std::vector<Cut> atAllEdges() {
-        for (const ReflexEdge& edge : reflexEdges(editor_, cell_, aim_.tolerance))
+        for (const ReflexEdge& edge : reflexEdges(editor_, cell_, aim_.tolerance)) {
             for (const EdgePlane& plane : planesAt(editor_, cell_, edge, true))
                 for (const double snap : {0.4, 0.15, 0.0})
                     if (!tryPlane(plane, snap, forbiddenEdges(editor_, edge, {})))
                         return std::move(cuts_);
+        }
         const double noTolerance = -4; // [rad] no angle is excluded
         for (const ReflexEdge& edge : reflexEdges(editor_, cell_, noTolerance)) {
             const EdgePlane middle = planesAt(editor_, cell_, edge).back();
@@ -192,6 +195,19 @@ private:
             tryLoops({*loop, other});
         }
         return true;
+    }
+
+    /// Loops that need not lie in a plane, where no plane closes one; not in cells with so many
+    /// faces that they would be dear.
+    void tryGreedyLoops(const std::vector<ReflexEdge>& reflex) {
+        constexpr std::size_t maxFaces = 40;
+        const std::size_t faces = editor_.cell(cell_).faces.size();
+        for (const ReflexEdge& edge : reflex) {
+            if (faces > maxFaces || !budget_.spend(faces)) return;
+            const EdgeList forbidden = forbiddenEdges(editor_, edge, reflex);
+            const auto loop = greedyLoop(editor_, cell_, {edge.low, edge.high}, forbidden);
+            if (loop && isNew(*loop)) tryLoops({*loop});
+        }
     }
 
     void tryLoops(const CellCut& loops) {

@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/quality/convexDecomposition.h"
 
+#include "editMeshes.h"
 #include "libpolymesh/mesh/cellGeometry.h"
 #include "libpolymesh/mesh/validate.h"
+#include "libpolymesh/quality/greedyLoop.h"
+#include "libpolymesh/quality/meshPart.h"
+#include "libpolymesh/quality/starPoint.h"
 #include "tests/support/meshes.h"
 
 #include <gtest/gtest.h>
@@ -142,6 +146,65 @@ TEST(ConcaveCells, areThoseWithReflexEdgesOrConcaveFaces) {
     EXPECT_EQ(concaveCells(test::box(3, 2, 2), angle), std::vector<Label>());
     EXPECT_EQ(concaveCells(test::hangingNodes(), angle), std::vector<Label>());
     EXPECT_EQ(concaveCells(prismOn(crossCorners, 2), angle), (std::vector<Label>{0, 1}));
+}
+
+TEST(GreedyLoop, prefersThePlaneLoopOfFewestSteps) {
+    const PolyMesh mesh = test::lShapedCell();
+    MeshPart part = partRound(mesh, allCells(mesh));
+    MeshEditor editor(part.mesh);
+    const auto loop = greedyLoop(editor, 0, {3, 9}, {{2, 3}, {3, 4}, {8, 9}, {9, 10}});
+    ASSERT_TRUE(loop);
+    ASSERT_EQ(loop->size(), 4U);
+    std::set<Label> columns;
+    for (const LoopCorner& corner : *loop)
+        columns.insert(corner.point % 6);
+    EXPECT_EQ(columns.size(), 2U); // both ends of two upright edges
+    EXPECT_TRUE(columns.contains(3));
+}
+
+TEST(StarPoint, seesAllFacesOrIsNotFound) {
+    const PolyMesh l = test::lShapedCell();
+    MeshPart part = partRound(l, allCells(l));
+    MeshEditor editor(part.mesh);
+    const auto p = starPoint(editor, 0);
+    ASSERT_TRUE(p);
+    EXPECT_LT(std::max(p->x, p->y), 1);
+    const std::vector<Label> pyramids = makePyramids(editor, 0, *p);
+    EXPECT_EQ(pyramids.size(), 8U);
+    double volume = 0;
+    for (const Label c : pyramids) {
+        EXPECT_GT(editor.cellGeometry(c).volume, 0);
+        volume += editor.cellGeometry(c).volume;
+    }
+    EXPECT_NEAR(volume, 3, 1e-12);
+    const PolyMesh u = voxelCell([](int i, int j, int k) { return k == 0 && (j == 0 || i != 1); });
+    MeshPart uPart = partRound(u, allCells(u));
+    MeshEditor uEditor(uPart.mesh);
+    EXPECT_FALSE(starPoint(uEditor, 0));
+}
+
+TEST(DecomposeCells, countsThePointsInsideThatItNeeds) {
+    // Twisted so far that no plane through an edge parts it well.
+    PolyMesh mesh = twistedPrism(0.5);
+    const DecompositionCounts counts = decomposeAll(mesh);
+    EXPECT_EQ(counts.remaining, std::vector<Label>());
+    EXPECT_EQ(mesh.pointCount(), 6 + counts.edgePoints + counts.cellPoints);
+}
+
+TEST(DecomposeCells, leavesCubesCutByAPlaneAsTheyAre) {
+    std::mt19937 random(3);
+    const auto uniform = [&] { return static_cast<double>(random()) / 2147483648.0 - 1.0; };
+    for (int n = 0; n < 200; ++n) {
+        EditMesh cut = test::boxOfHexes({1, 1, 1}, 1.0);
+        test::splitByPlane(cut, {uniform(), uniform(), uniform()}, 0.5 * uniform() + 0.25);
+        MeshEditor editor(cut);
+        for (Label c = 0; c < editor.cellCount(); ++c) {
+            WorkBudget budget(1000);
+            budget.startCell(0);
+            if (editor.cell(c).isRemoved()) continue;
+            EXPECT_EQ(decomposeCell(editor, c, {angle, 40}, budget).concaveCells, 0) << n;
+        }
+    }
 }
 
 TEST(DecomposeCells, leavesConvexCellsAsTheyAre) {

@@ -45,6 +45,18 @@ void helpLocally(Divisible& work) {
     }
 }
 
+/// Splits the faces of the cells that are left from their middles, and makes cones over those.
+void makeTetrahedra(Divisible& work) {
+    const auto fans = fansOfFaces(work.mesh, work.plan, work.plan.inverted);
+    if (fans.empty()) return;
+    work.splitFaces += toLabel(fans.size());
+    work.mesh = withPieces(std::move(work.mesh), fans);
+    work.plan = planSubdivision(work.mesh);
+    work.movedPoints = untangle(work.mesh, work.plan);
+    makeCones(work);
+    helpLocally(work);
+}
+
 /// Cuts the cells that are left into convex ones where they are concave (holes through a cell, no
 /// point that sees all faces). Returns false when that changes nothing, or spoils the mesh.
 bool cutConcave(Divisible& work) {
@@ -73,8 +85,10 @@ Divisible makeDivisible(PolyMesh mesh) {
     splitFaces(work, {bent});
     makeCones(work);
     helpLocally(work);
-    for (int i = 0; i < attempts && !work.plan.inverted.empty() && cutConcave(work); ++i)
-        helpLocally(work);
+    for (int i = 0; i < attempts && !work.plan.inverted.empty(); ++i) {
+        if (cutConcave(work)) helpLocally(work);
+        makeTetrahedra(work);
+    }
     return work;
 }
 

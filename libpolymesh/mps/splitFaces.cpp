@@ -184,6 +184,16 @@ Zone zoneOfPieces(const Zone& zone, const std::vector<Label>& first) {
     return result;
 }
 
+/// The faces of cells, ascending.
+std::vector<Label> facesOf(const SubdivisionPlan& plan, std::span<const Label> cells) {
+    std::vector<Label> faces;
+    for (const Label cell : cells)
+        faces.insert(faces.end(), plan.cellFaces[cell].begin(), plan.cellFaces[cell].end());
+    std::ranges::sort(faces);
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    return faces;
+}
+
 } // namespace
 
 PolyMesh withPieces(PolyMesh mesh, std::span<const FacePieces> faces) {
@@ -224,16 +234,27 @@ std::vector<FacePieces> piecesOfFaces(const PolyMesh& mesh,
                                       const SubdivisionPlan& plan,
                                       std::span<const Label> cells,
                                       const FaceSplitRule& rule) {
-    std::vector<Label> faces;
-    for (const Label cell : cells)
-        faces.insert(faces.end(), plan.cellFaces[cell].begin(), plan.cellFaces[cell].end());
-    std::ranges::sort(faces);
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    const std::vector<Label> faces = facesOf(plan, cells);
     FaceSplitter splitter(mesh, plan, cells, rule);
     std::vector<FacePieces> result;
     for (const Label face : faces)
         if (FacePieces split{face, splitter.piecesOf(face)}; split.pieces.size() > 1)
             result.push_back(std::move(split));
+    return result;
+}
+
+std::vector<FacePieces>
+fansOfFaces(PolyMesh& mesh, const SubdivisionPlan& plan, std::span<const Label> cells) {
+    std::vector<FacePieces> result;
+    for (const Label face : facesOf(plan, cells)) {
+        const auto loop = std::as_const(mesh.faces)[face];
+        if (loop.size() < 4) continue;
+        FacePieces fan{face, {}};
+        for (std::size_t i = 0; i < loop.size(); ++i)
+            fan.pieces.push_back({loop[i], loop[(i + 1) % loop.size()], mesh.pointCount()});
+        mesh.points.push_back(plan.points[index(plan.layout.firstFace + face)]);
+        result.push_back(std::move(fan));
+    }
     return result;
 }
 

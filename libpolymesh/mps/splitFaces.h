@@ -42,4 +42,10 @@ std::vector<FacePieces> piecesOfFaces(const PolyMesh& mesh,
                                       std::span<const Label> cells,
                                       const FaceSplitRule& rule);
 
+/// Pieces for all faces of `cells` (ascending) that are no triangles: the triangles from the face's
+/// point in the plan, which is added to the mesh's points, to its edges. Cones over them are
+/// tetrahedra, which divide well where diagonals would not do: at concave corners of warped faces.
+std::vector<FacePieces>
+fansOfFaces(PolyMesh& mesh, const SubdivisionPlan& plan, std::span<const Label> cells);
+
 } // namespace polymesh

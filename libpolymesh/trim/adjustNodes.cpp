@@ -237,6 +237,7 @@ private:
             ++counts.refused;
             return;
         }
+        result.moved.push_back({move.node, move.place});
         switch (move.target) {
         case AdjustTarget::corner:
             ++counts.corners;

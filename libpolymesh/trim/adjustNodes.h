@@ -22,8 +22,15 @@ struct SettledNode {
     AdjustTarget target = AdjustTarget::face;
 };
 
+/// A node that was moved, and where to [m].
+struct MovedNode {
+    Label node = -1;
+    Vec3 place;
+};
+
 struct AdjustedNodes {
-    std::vector<SettledNode> settled; // by ascending node
+    std::vector<MovedNode> moved;     // by ascending node
+    std::vector<SettledNode> settled; // those of them that are on the surface
     AdjustCounts counts;
 };
 

@@ -239,10 +239,11 @@ Cut cutMesh(PolyMesh mesh,
         if (mayTouch(probe, cutter, arrangement)) tidyTouchingFaces(part, result.summary);
         tidy(part, options, result.summary);
     } catch (const WorkError&) {
-        if (settled.empty()) throw;
+        if (adjusted.moved.empty()) throw;
         return {{}, findBadPlaces(part, true), true};
     }
-    if (!settled.empty() && result.summary.badCells > 0) cut.badPlaces = findBadPlaces(part, false);
+    if (!adjusted.moved.empty() && result.summary.badCells > 0)
+        cut.badPlaces = findBadPlaces(part, false);
 
     options.onStage("assemble");
     std::vector<std::string> types = options.regionTypes;
@@ -259,24 +260,24 @@ Cut cutMesh(PolyMesh mesh,
     return cut;
 }
 
-/// Adds the nodes on the surface that are in one of the boxes to `kept`; false when there are none.
+/// Adds the moved nodes that are in one of the boxes to `kept`; false when there are none.
 bool keepNodes(const AdjustedNodes& adjusted,
                const std::vector<Box>& boxes,
                std::vector<Label>& kept) {
     const std::size_t before = kept.size();
-    for (const SettledNode& node : adjusted.settled)
+    for (const MovedNode& node : adjusted.moved)
         if (std::ranges::any_of(boxes, [&](const Box& box) { return box.contains(node.place); }))
             kept.push_back(node.node);
     std::ranges::sort(kept);
     return kept.size() > before;
 }
 
-/// Puts nodes onto the surface and trims. Where that leaves bad cells it is done again without the
+/// Adjusts nodes and trims. Where that leaves bad cells it is done again without the
 /// nodes round these, and the best result counts; if there is none, no node is moved.
-Trimmed trimProjected(const PolyMesh& mesh,
-                      const CuttingSurface& cutter,
-                      const SurfaceFeatures& features,
-                      TrimOptions options) {
+Trimmed trimAdjusted(const PolyMesh& mesh,
+                     const CuttingSurface& cutter,
+                     const SurfaceFeatures& features,
+                     TrimOptions options) {
     constexpr int mostTries = 6;
     std::optional<Trimmed> best;
     for (int i = 0; i < mostTries; ++i) {
@@ -299,11 +300,10 @@ Trimmed trim(PolyMesh mesh, TriSurface surface, const TrimOptions& options) {
     if (options.keep == Keep::outside) turnInsideOut(surface);
     const CuttingSurface cutter{&surface, pairEdges(surface), triangleBoxes(surface)};
     const SurfaceFeatures features = findFeatures(surface, cutter.edges, options.featureAngle);
-    if (options.adjust.how != Adjust::none) options.onStage("adjust");
-    if (options.adjust.how == Adjust::project)
-        return trimProjected(mesh, cutter, features, options);
-    const AdjustedNodes adjusted = adjustNodes(mesh, cutter, features, options.adjust);
-    return cutMesh(std::move(mesh), cutter, features, adjusted, options).trimmed;
+    if (options.adjust.how == Adjust::none)
+        return cutMesh(std::move(mesh), cutter, features, {}, options).trimmed;
+    options.onStage("adjust");
+    return trimAdjusted(mesh, cutter, features, options);
 }
 
 } // namespace polymesh

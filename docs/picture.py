@@ -6,15 +6,21 @@ blue, all other shapes orange.
 
 Needs python3-vtk9; without a screen run it as:  xvfb-run -a /usr/bin/python3 docs/picture.py CASE OUT.png
 With --surface FILE (STL, also .gz) the surface is drawn on the left and the mesh on the right.
+With --closeUp X Y Z SIZE, all as fractions of the mesh's box, a part of the cut is drawn on the right.
+The tutorials' pictures are drawn by  docs/tutorialPictures FOLDER  from cases that have been run.
 docs/flange.png is the flange tutorial, run in CASE=build/flange (./Allrun does), drawn by:
     xvfb-run -a /usr/bin/python3 docs/picture.py build/flange docs/flange.png --cut x --azimuth -50 \\
         --surface build/flange/constant/triSurface/flange.stl.gz --size 1400 600"""
 import argparse
 import gzip
 import pathlib
+import struct
 import tempfile
+import zlib
 
+import numpy
 import vtk
+from vtk.util import numpy_support
 
 STEEL, SKY, ORANGE, INK = (0.72, 0.75, 0.79), (0.80, 0.88, 0.96), (0.96, 0.68, 0.38), (0.15, 0.2, 0.3)
 
@@ -24,6 +30,7 @@ def arguments():
     parser.add_argument("case", type=pathlib.Path)
     parser.add_argument("out", type=pathlib.Path)
     parser.add_argument("--surface", type=pathlib.Path, help="drawn on the left")
+    parser.add_argument("--closeUp", type=float, nargs=4, metavar=("X", "Y", "Z", "SIZE"))
     parser.add_argument("--cut", choices=["x", "y", "z", "none"], default="y")
     parser.add_argument("--at", type=float, default=0.5, help="place of the cut, 0 to 1")
     parser.add_argument("--azimuth", type=float, default=30, help="[deg]")
@@ -136,31 +143,62 @@ def aim(renderer, bounds, options):
     camera.Zoom(options.zoom)
 
 
+def writePng(file, image):
+    """Writes an RGB image with at most 256 colours, a third of the bytes of one with all of them."""
+    for bits in (4, 5):
+        colours, indices = numpy.unique(image.reshape(-1, 3) >> bits, axis=0, return_inverse=True)
+        if len(colours) <= 256:
+            break
+    palette = numpy.round(colours * (255 / (255 >> bits))).astype(numpy.uint8)
+    height, width, _ = image.shape
+    rows = numpy.zeros((height, width + 1), numpy.uint8)  # each begins with 0: no filter
+    rows[:, 1:] = indices.reshape(height, width)
+
+    def chunk(name, data):
+        return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
+
+    header = struct.pack(">IIBBBBB", width, height, 8, 3, 0, 0, 0)
+    file.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"PLTE", palette.tobytes())
+                     + chunk(b"IDAT", zlib.compress(rows.tobytes(), 9)) + chunk(b"IEND", b""))
+
+
+def closeUpBounds(bounds, place):
+    """The box round a place that is `place[3]` times as large as the longest side of the bounds."""
+    sides = [bounds[2 * i + 1] - bounds[2 * i] for i in range(3)]
+    half = place[3] * max(sides) / 2
+    middle = [bounds[2 * i] + place[i] * sides[i] for i in range(3)]
+    return [middle[i] + sign * half for i in range(3) for sign in (-1, 1)]
+
+
 def main():
     options = arguments()
     mesh = readMesh(options.case)
     bounds = mesh.GetBounds()
-    actors = [meshActor(cutOpen(mesh, options.cut, options.at))]
+    cut = cutOpen(mesh, options.cut, options.at)
+    panels = [(meshActor(cut), bounds)]
     if options.surface:
-        actors.insert(0, surfaceActor(readSurface(options.surface)))
+        panels.insert(0, (surfaceActor(readSurface(options.surface)), bounds))
+    if options.closeUp:
+        panels.append((meshActor(cut), closeUpBounds(bounds, options.closeUp)))
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(8)
     window.SetSize(*options.size)
-    for place, actor in enumerate(actors):
+    for place, (actor, seen) in enumerate(panels):
         renderer = vtk.vtkRenderer()
-        renderer.SetViewport(place / len(actors), 0, (place + 1) / len(actors), 1)
+        renderer.SetViewport(place / len(panels), 0, (place + 1) / len(panels), 1)
         renderer.SetBackground(1, 1, 1)
         renderer.AddActor(actor)
-        aim(renderer, bounds, options)
+        aim(renderer, seen, options)
         window.AddRenderer(renderer)
     window.Render()
     shot = vtk.vtkWindowToImageFilter()
     shot.SetInput(window)
-    writer = vtk.vtkPNGWriter()
-    writer.SetFileName(str(options.out))
-    writer.SetInputConnection(shot.GetOutputPort())
-    writer.Write()
+    shot.Update()
+    image = shot.GetOutput()
+    width, height, _ = image.GetDimensions()
+    values = numpy_support.vtk_to_numpy(image.GetPointData().GetScalars())
+    writePng(options.out, values.reshape(height, width, 3)[::-1])
 
 
 main()

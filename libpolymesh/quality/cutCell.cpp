@@ -3,6 +3,7 @@
 #include "libpolymesh/quality/cutCell.h"
 
 #include "libpolymesh/quality/cellTopology.h"
+#include "libpolymesh/quality/metrics.h"
 #include "libpolymesh/quality/polygons.h"
 
 #include <algorithm>
@@ -175,6 +176,7 @@ bool splitFace(MeshEditor& editor, Label f, Label a, Label b) {
 }
 
 Label cutCell(MeshEditor& editor, Label cell, const CellCut& wanted) {
+    constexpr double leastFlatness = 0.5;
     std::vector<Polygon> loops;
     Polygon all;
     for (CellLoop loop : wanted) {
@@ -204,9 +206,11 @@ Label cutCell(MeshEditor& editor, Label cell, const CellCut& wanted) {
             }
         const Label f = editor.addFace({loop, added, cell, -1});
         // Faces that look opposite ways would be the outer and the inner edge of a ring.
-        const Vec3 area = editor.faceGeometry(f).area;
-        if (dot(area, sum) < 0) return -1;
-        sum += area;
+        const FaceGeometry& geometry = editor.faceGeometry(f);
+        if (dot(geometry.area, sum) < 0) return -1;
+        sum += geometry.area;
+        const std::span<const Label> corners(loop.data(), loop.size());
+        if (faceFlatness(editor.mesh().points, corners, geometry) < leastFlatness) return -1;
     }
     return added;
 }

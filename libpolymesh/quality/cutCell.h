@@ -8,9 +8,9 @@ namespace polymesh {
 
 /// Cuts a cell along closed loops: new points go into their edges and faces are cut, for all cells
 /// that share them; then each loop becomes a face between the cell and a new one. Returns the new
-/// cell; -1 when the loops do not cut the cell in two or would pinch a cell, and the caller then
-/// undoes. Requires: the cells that share the faces are in one piece; those that are balls remain
-/// so, and the parts of a ball are balls.
+/// cell; -1 when the loops do not cut the cell in two, would pinch a cell or are far from
+/// flat, and the caller then undoes. Requires: the cells that share the faces are in one piece;
+/// those that are balls remain so, and the parts of a ball are balls.
 Label cutCell(MeshEditor& editor, Label cell, const CellCut& cut);
 Label cutCell(MeshEditor& editor, Label cell, const CellLoop& loop);
 

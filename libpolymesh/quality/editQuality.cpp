@@ -113,6 +113,7 @@ void checkCell(MeshEditor& editor, Label c, Badness& badness) {
     }
     const double least = std::max(std::min({sums.x, sums.y, sums.z}), 1e-300);
     const double most = std::max({sums.x, sums.y, sums.z});
+    if (least < 1e-10 * most) failInvalid(badness); // rounding decides whether it is closed
     const double byVolume = (sums.x + sums.y + sums.z) / (6 * std::cbrt(volume * volume));
     const double aspect = std::max(most / least, byVolume);
     if (aspect > failingAspect)

@@ -10,10 +10,11 @@
 namespace polymesh {
 
 /// How bad a group of cells is. `invalid` counts what no solver can take: cells without a positive
-/// volume and faces without area; no other gain makes up for one more of them. `failures` counts
-/// what OpenFOAM's checkMesh fails by default (wrong face pyramids, non-orthogonality from 90 deg,
-/// skewness over 4, volume not positive, aspect ratio over 1000); `severity` adds up how far
-/// measures are beyond limits somewhat stricter than those, so that it is 0 for healthy cells.
+/// volume, cells whose area vectors all lie in one plane
+/// (bent faces), and faces without area; no other gain makes up for one more of them. `failures`
+/// counts what OpenFOAM's checkMesh fails by default (wrong face pyramids, non-orthogonality from
+/// 90 deg, skewness over 4, volume not positive, aspect ratio over 1000); `severity` adds up how
+/// far measures are beyond limits somewhat stricter than those, so that it is 0 for healthy cells.
 struct Badness {
     Label invalid = 0;
     Label failures = 0;

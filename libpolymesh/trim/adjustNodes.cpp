@@ -25,6 +25,11 @@ constexpr double settleDepth = 0.03;
 /// Of nodes that hang between nodes that hang.
 constexpr int mostLevels = 4;
 
+void sortUnique(std::vector<Label>& labels) {
+    std::ranges::sort(labels);
+    labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
+}
+
 /// The cells round some points of a mesh, with their faces.
 struct CellStars {
     std::vector<Label> cells; // ascending
@@ -112,8 +117,10 @@ private:
         for (Label c = 0; c < toLabel(stars_.cells.size()); ++c)
             findHanging(mesh_, stars_.cells[index(c)], stars_.faces[c], found);
         std::ranges::stable_sort(found, {}, &HangingNode::node);
-        const auto repeated = std::ranges::unique(found, {}, &HangingNode::node);
-        found.erase(repeated.begin(), repeated.end());
+        const auto isSameNode = [](const HangingNode& a, const HangingNode& b) {
+            return a.node == b.node;
+        };
+        found.erase(std::unique(found.begin(), found.end(), isSameNode), found.end());
         const auto hangs = [&](Label p) {
             return std::ranges::binary_search(found, p, {}, &HangingNode::node);
         };
@@ -139,9 +146,7 @@ private:
             for (const Label f : stars_.faces[c])
                 for (const Label p : mesh_.faces[f])
                     addMoves(p, moveOf, mostLevels, found);
-            std::ranges::sort(found);
-            const auto repeated = std::ranges::unique(found);
-            found.erase(repeated.begin(), repeated.end());
+            sortUnique(found);
             movesOfCell_.add(found);
             for (const Label move : found)
                 pairs.push_back({move, c});
@@ -219,9 +224,7 @@ private:
             const auto round = cellsOfMove_[i];
             doubtful.insert(doubtful.end(), round.begin(), round.end());
         }
-        std::ranges::sort(doubtful);
-        const auto repeated = std::ranges::unique(doubtful);
-        doubtful.erase(repeated.begin(), repeated.end());
+        sortUnique(doubtful);
         return doubtful;
     }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace polymesh {
 
@@ -21,7 +22,7 @@ struct Corner {
 
 /// Whether three of the directions are independent, by 20 degrees or more.
 bool isSolid(std::span<const Corner> corners) {
-    const double straight = std::cos(20 * 3.14159265358979 / 180);
+    const double straight = std::cos(std::numbers::pi / 9);
     boost::container::small_vector<Vec3, 6> directions;
     for (const Corner& corner : corners)
         if (std::ranges::none_of(directions,
@@ -36,8 +37,7 @@ HangingNode between(const PolyMesh& mesh, std::span<const Corner> corners) {
     for (const Corner& corner : corners)
         neighbours.insert(neighbours.end(), corner.neighbours.begin(), corner.neighbours.end());
     std::ranges::sort(neighbours);
-    const auto repeated = std::ranges::unique(neighbours);
-    neighbours.erase(repeated.begin(), repeated.end());
+    neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
     HangingNode node;
     node.node = corners.front().point;
     const Vec3& p = mesh.points[index(node.node)];

@@ -62,8 +62,9 @@ struct Trimmed {
 /// Throws InputError where the surface intersects itself so that inside is not defined, and where
 /// nothing is left; WorkError on a bug.
 /// Cost: O(mesh) with a small constant, and about 10 us for a cut cell. The mesh is taken by value
-/// and let go early: move it in where memory matters.
-/// Source: the paper, section 2.3; docs/trim.md.
+/// and let go early: move it in where memory matters. With `adjust` it is kept, since where that
+/// makes bad cells the trim is done again without the moves round them. Source: the paper,
+/// section 2.3; docs/trim.md.
 Trimmed trim(PolyMesh mesh, TriSurface surface, const TrimOptions& options);
 
 } // namespace polymesh

@@ -285,6 +285,42 @@ void extendZones(std::vector<Zone>& zones, std::span<const CellCones> cones, Lab
     }
 }
 
+std::vector<LooseFace> internalFaces(const PolyMesh& mesh) {
+    std::vector<LooseFace> loose;
+    loose.reserve(mesh.neighbour.size());
+    for (Label face = 0; face < mesh.internalFaceCount(); ++face)
+        loose.push_back({mesh.owner[index(face)],
+                         mesh.neighbour[index(face)],
+                         Polygon(mesh.faces[face].begin(), mesh.faces[face].end()),
+                         face});
+    return loose;
+}
+
+/// Adds the point, the cells and the triangles of one cell's cones, and gives its faces to them:
+/// in mesh.owner where the cell owns them, else in `loose`.
+void cutCell(PolyMesh& mesh,
+             const Rows<Label>& cellFaces,
+             const CellCones& c,
+             std::vector<LooseFace>& loose) {
+    const auto cellOf = [&](std::size_t f) {
+        return c.groupOf[f] == 0 ? c.cell : mesh.cellCount + c.groupOf[f] - 1;
+    };
+    for (const CellEdge& e : edgesOf(outwardLoops(mesh, cellFaces, c.cell))) {
+        const Label left = cellOf(static_cast<std::size_t>(e.left));
+        const Label right = cellOf(static_cast<std::size_t>(e.right));
+        // The triangle b, a, centre leaves the cell on the left.
+        if (left < right) loose.push_back({left, right, {e.b, e.a, mesh.pointCount()}, -1});
+        if (left > right) loose.push_back({right, left, {e.a, e.b, mesh.pointCount()}, -1});
+    }
+    for (std::size_t f = 0; f < c.groupOf.size(); ++f) {
+        const Label face = cellFaces[c.cell][f];
+        const bool isOwned = mesh.owner[index(face)] == c.cell;
+        (isOwned ? mesh.owner[index(face)] : loose[index(face)].neighbour) = cellOf(f);
+    }
+    mesh.points.push_back(c.centre);
+    mesh.cellCount += c.groupCount - 1;
+}
+
 } // namespace
 
 std::vector<CellCones>
@@ -302,43 +338,10 @@ conesOf(const PolyMesh& mesh, const SubdivisionPlan& plan, std::span<const Label
 
 PolyMesh withCones(PolyMesh mesh, const Rows<Label>& cellFaces, std::span<const CellCones> cones) {
     if (cones.empty()) return mesh;
-    std::vector<LooseFace> loose;
-    for (Label face = 0; face < mesh.internalFaceCount(); ++face)
-        loose.push_back({mesh.owner[index(face)],
-                         mesh.neighbour[index(face)],
-                         Polygon(mesh.faces[face].begin(), mesh.faces[face].end()),
-                         face});
+    std::vector<LooseFace> loose = internalFaces(mesh);
     const Label firstNew = mesh.cellCount;
-    for (const CellCones& c : cones) {
-        const std::vector<CellEdge> edges = edgesOf(outwardLoops(mesh, cellFaces, c.cell));
-        const auto cellOf = [&](int f) {
-            const int group = c.groupOf[static_cast<std::size_t>(f)];
-            return group == 0 ? c.cell : mesh.cellCount + group - 1;
-        };
-        for (const CellEdge& e : edges) {
-            const Label left = cellOf(e.left);
-            const Label right = cellOf(e.right);
-            // The triangle b, a, centre leaves the cell on the left.
-            if (left < right) loose.push_back({left, right, {e.b, e.a, mesh.pointCount()}, -1});
-            if (left > right) loose.push_back({right, left, {e.a, e.b, mesh.pointCount()}, -1});
-        }
-        mesh.points.push_back(c.centre);
-        mesh.cellCount += c.groupCount - 1;
-    }
-    Label next = firstNew;
-    std::vector<Label> owner = mesh.owner;
-    for (const CellCones& c : cones) {
-        for (std::size_t f = 0; f < c.groupOf.size(); ++f) {
-            const Label face = cellFaces[c.cell][f];
-            const Label cell = c.groupOf[f] == 0 ? c.cell : next + c.groupOf[f] - 1;
-            if (mesh.owner[index(face)] == c.cell)
-                owner[index(face)] = cell;
-            else
-                loose[index(face)].neighbour = cell;
-        }
-        next += c.groupCount - 1;
-    }
-    mesh.owner = std::move(owner);
+    for (const CellCones& c : cones)
+        cutCell(mesh, cellFaces, c, loose);
     for (Label face = 0; face < mesh.internalFaceCount(); ++face) {
         LooseFace& f = loose[index(face)];
         f.owner = mesh.owner[index(face)];

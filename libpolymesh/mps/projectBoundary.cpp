@@ -199,6 +199,7 @@ ProjectionCounts projectBoundary(const PolyMesh& mesh,
     std::vector<Target> targets = targetsOf(mesh, plan, featureAngle);
     moveAll(plan, surface, featureAngle, targets);
     std::vector<char> wasMoved;
+    wasMoved.reserve(targets.size());
     for (const Target& target : targets)
         wasMoved.push_back(target.isMoved ? 1 : 0);
     takeBack(mesh, plan, targets);

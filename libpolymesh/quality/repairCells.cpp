@@ -325,11 +325,14 @@ void apply(MeshEditor& editor,
 }
 
 /// Makes the best changes one after the other.
-void mendFailingCells(MeshEditor& editor, WorkBudget& budget, RepairCounts& counts) {
+/// `cells` are those that fail; all whose quality may have changed are added.
+void mendFailingCells(MeshEditor& editor,
+                      std::vector<Label>& cells,
+                      WorkBudget& budget,
+                      RepairCounts& counts) {
     constexpr int maxVisits =
         8; // a cell that takes more is going round in circles with its neighbours
-    const std::vector<Label> failing = failingCells(editor);
-    std::deque<Label> queue(failing.begin(), failing.end());
+    std::deque<Label> queue(cells.begin(), cells.end());
     counts.bad = toLabel(queue.size());
     // Each step lowers, in this order: the passes left, what is invalid, the failures, the severity
     // by a least amount. The changes left keep the number of steps in proportion.
@@ -346,7 +349,9 @@ void mendFailingCells(MeshEditor& editor, WorkBudget& budget, RepairCounts& coun
             RepairSearch(editor, c, budget).best(passesLeft > 0);
         if (!proposal) continue;
         const Label oldCells = editor.cellCount();
+        const std::size_t known = queue.size();
         apply(editor, *proposal, counts, queue);
+        cells.insert(cells.end(), queue.begin() + static_cast<std::ptrdiff_t>(known), queue.end());
         --changesLeft;
         passesLeft -= !isGood(*proposal);
         const int soFar = visits[c]; // what c is or becomes a part of has been visited as often
@@ -355,6 +360,16 @@ void mendFailingCells(MeshEditor& editor, WorkBudget& budget, RepairCounts& coun
         if (proposal->remedy == Remedy::merge)
             visits[proposal->to] = std::max(visits[proposal->to], soFar);
     }
+}
+
+/// Those of the cells that fail, once each, in order.
+std::vector<Label> stillFailing(MeshEditor& editor, std::vector<Label> cells) {
+    std::sort(cells.begin(), cells.end());
+    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+    std::erase_if(cells, [&](Label c) {
+        return editor.cell(c).isRemoved() || editor.isFrozen(c) || !isFailing(editor, c);
+    });
+    return cells;
 }
 
 /// Makes a cell into many by `remake` if that leaves the cells round it better.
@@ -374,8 +389,12 @@ bool remakeCell(MeshEditor& editor, Label cell, Remake&& remake) {
 }
 
 /// Makes cells that still fail into convex ones, or into pyramids on their faces.
-void remakeFailingCells(MeshEditor& editor, WorkBudget& budget, RepairCounts& counts) {
-    const std::vector<Label> failing = failingCells(editor);
+/// Cells whose quality may have changed are added.
+void remakeFailingCells(MeshEditor& editor,
+                        std::vector<Label>& cells,
+                        WorkBudget& budget,
+                        RepairCounts& counts) {
+    const std::vector<Label> failing = stillFailing(editor, cells);
     for (std::size_t i = 0; i < failing.size() && !budget.isSpent(); ++i) {
         const Label c = failing[i];
         if (!isFailing(editor, c)) continue;
@@ -385,10 +404,18 @@ void remakeFailingCells(MeshEditor& editor, WorkBudget& budget, RepairCounts& co
             const auto apex = starPoint(editor, c);
             if (apex) makePyramids(editor, c, *apex);
         };
-        counts.remakes +=
+        const Label oldCells = editor.cellCount();
+        const bool remade =
             remakeCell(editor, c, makeConvex) || (budget.spend(4 * editor.cell(c).faces.size()) &&
                                                   remakeCell(editor, c, makePyramidsOfIt));
         editor.commit();
+        if (!remade) continue;
+        ++counts.remakes;
+        std::vector<Label> parts{c};
+        for (Label part = oldCells; part < editor.cellCount(); ++part)
+            parts.push_back(part);
+        const std::vector<Label> round = withNeighbours(editor, parts);
+        cells.insert(cells.end(), round.begin(), round.end());
     }
 }
 
@@ -396,10 +423,11 @@ void remakeFailingCells(MeshEditor& editor, WorkBudget& budget, RepairCounts& co
 
 RepairCounts repairCells(MeshEditor& editor) {
     RepairCounts counts;
+    std::vector<Label> cells = failingCells(editor);
     WorkBudget budget(40000 + std::int64_t{editor.cellCount()});
-    mendFailingCells(editor, budget, counts);
-    remakeFailingCells(editor, budget, counts);
-    counts.left = toLabel(failingCells(editor).size());
+    mendFailingCells(editor, cells, budget, counts);
+    remakeFailingCells(editor, cells, budget, counts);
+    counts.left = toLabel(stillFailing(editor, cells).size());
     return counts;
 }
 

@@ -278,7 +278,7 @@ Trimmed trimAdjusted(const PolyMesh& mesh,
                      const CuttingSurface& cutter,
                      const SurfaceFeatures& features,
                      TrimOptions options) {
-    constexpr int mostTries = 6;
+    constexpr int mostTries = 4;
     std::optional<Trimmed> best;
     for (int i = 0; i < mostTries; ++i) {
         PolyMesh moved = mesh;

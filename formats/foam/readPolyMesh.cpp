@@ -51,16 +51,21 @@ void checkFacePoints(const PolyMesh& mesh, const fs::path& path) {
 /// Checks that `cells` holds labels from 0 up and returns the largest, -1 when there is none.
 /// A mesh of f faces has fewer than 2 f cells.
 Label checkedLargestCell(const std::vector<Label>& cells, Label mostCells, const fs::path& path) {
-    const auto [low, high] = std::ranges::minmax_element(cells);
-    if (cells.empty()) return -1;
-    for (const auto extreme : {low, high})
-        require(*extreme >= 0 && *extreme < mostCells,
-                "{}: face {} has cell {}; expected 0 to {} in a mesh of so few faces",
-                path.string(),
-                extreme - cells.begin(),
-                *extreme,
-                mostCells - 1);
-    return *high;
+    const auto isWrong = [&](Label cell) { return cell < 0 || cell >= mostCells; };
+    // Any label that is wrong comes out as the largest.
+    const Label largest = parallelReduce(
+        toLabel(cells.size()),
+        Label{-1},
+        [&](Label f) { return isWrong(cells[index(f)]) ? mostCells : cells[index(f)]; },
+        [](Label a, Label b) { return std::max(a, b); });
+    if (largest < mostCells) return largest;
+    const auto wrong = std::ranges::find_if(cells, isWrong);
+    throw InputError(
+        fmt::format("{}: face {} has cell {}; expected 0 to {} in a mesh of so few faces",
+                    path.string(),
+                    wrong - cells.begin(),
+                    *wrong,
+                    mostCells - 1));
 }
 
 /// Old meshes fill neighbour with -1 for boundary faces; drops these.
@@ -132,13 +137,13 @@ void readLists(PolyMesh& mesh, const fs::path& directory) {
         return readLabels(reader, faceCount);
     };
     const std::array<std::function<void()>, 4> tasks{
+        [&] { // the longest first
+            FoamReader reader(directory / "faces");
+            mesh.faces = readFaces(reader);
+        },
         [&] {
             FoamReader reader(directory / "points");
             mesh.points = readVectors(reader);
-        },
-        [&] {
-            FoamReader reader(directory / "faces");
-            mesh.faces = readFaces(reader);
         },
         [&] { mesh.owner = readCellLabels("owner"); },
         [&] { mesh.neighbour = readCellLabels("neighbour"); },

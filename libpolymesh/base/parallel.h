@@ -11,6 +11,7 @@
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
+#include <tbb/parallel_sort.h>
 #include <tbb/partitioner.h>
 
 #include <algorithm>
@@ -70,6 +71,12 @@ T parallelReduce(Label count, T identity, Term&& term, Combine&& combine) {
         },
         combine,
         tbb::simple_partitioner{});
+}
+
+/// Sorts values, no two of which may be equal: else their order would depend on the threads.
+template<class T>
+void parallelSort(std::vector<T>& values) {
+    tbb::parallel_sort(values.begin(), values.end());
 }
 
 /// Sums term(i) over [0, count); the result does not depend on the number of threads.

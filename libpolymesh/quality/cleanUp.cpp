@@ -5,14 +5,11 @@
 #include "libpolymesh/quality/collapseEdges.h"
 #include "libpolymesh/quality/collapsePoints.h"
 #include "libpolymesh/quality/editParts.h"
-#include "libpolymesh/quality/editQuality.h"
 #include "libpolymesh/quality/mergeCells.h"
 #include "libpolymesh/quality/mergeFaces.h"
 #include "libpolymesh/quality/removeZeroSize.h"
 #include "libpolymesh/quality/repairCells.h"
 #include "libpolymesh/quality/splitConcaveCells.h"
-
-#include <array>
 
 namespace polymesh {
 
@@ -33,15 +30,6 @@ void removeWhatHasNoSize(EditMesh& mesh,
     counts.mergedFaces = mergeFaces(editor, 0);
 }
 
-std::vector<Label> cellsThatFail(MeshEditor& editor) {
-    std::vector<Label> cells;
-    for (Label c = 0; c < editor.cellCount(); ++c) {
-        const std::array<Label, 1> one{c};
-        if (badnessOf(editor, one).failures > 0) cells.push_back(c);
-    }
-    return cells;
-}
-
 /// Returns what was done; `badCells` become the cells that checkMesh still fails.
 CleanUpCounts improve(EditMesh& mesh, const CleanUpOptions& options, std::vector<Label>& badCells) {
     MeshEditor editor(mesh);
@@ -53,7 +41,7 @@ CleanUpCounts improve(EditMesh& mesh, const CleanUpOptions& options, std::vector
     const RepairCounts repaired = repairCells(editor);
     counts.cutCells += repaired.cuts;
     counts.repairs = repaired.merges + repaired.collapses + repaired.splits + repaired.remakes;
-    badCells = cellsThatFail(editor);
+    badCells = repaired.left;
     return counts;
 }
 

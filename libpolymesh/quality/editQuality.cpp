@@ -94,7 +94,7 @@ void checkAtBoundary(MeshEditor& editor, Label f, Badness& badness) {
 }
 
 void checkFace(MeshEditor& editor, Label f, Badness& badness) {
-    const EditFace face = editor.face(f);
+    const EditFace& face = editor.face(f);
     for (const Label c : {face.owner, face.neighbour})
         if (c >= 0 && !editor.isFrozen(c)) checkPyramid(editor, f, c, badness);
     if (face.isBoundary())
@@ -159,12 +159,28 @@ bool isFailing(MeshEditor& editor, Label cell) {
 }
 
 std::vector<Label> failingCells(MeshEditor& editor) {
-    editor.computeGeometry(); // so that the loop only reads
+    editor.computeGeometry(); // so that the loops only read
+    const auto isEdited = [&](Label c) {
+        return c >= 0 && !editor.cell(c).isRemoved() && !editor.isFrozen(c);
+    };
     std::vector<std::uint8_t> fails(index(editor.cellCount()), 0);
     parallelFor(editor.cellCount(), [&](Label c) {
-        if (!editor.cell(c).isRemoved() && !editor.isFrozen(c))
-            fails[index(c)] = isFailing(editor, c);
+        Badness badness;
+        if (isEdited(c)) checkCell(editor, c, badness);
+        fails[index(c)] = badness.failures > 0;
     });
+    std::vector<std::uint8_t> failsAtFace(index(editor.faceCount()), 0);
+    parallelFor(editor.faceCount(), [&](Label f) {
+        const EditFace& face = editor.face(f);
+        Badness badness;
+        if (isEdited(face.owner) || (!face.isRemoved() && isEdited(face.neighbour)))
+            checkFace(editor, f, badness);
+        failsAtFace[index(f)] = badness.failures > 0;
+    });
+    for (std::size_t f = 0; f < failsAtFace.size(); ++f)
+        if (failsAtFace[f])
+            for (const Label c : {editor.face(toLabel(f)).owner, editor.face(toLabel(f)).neighbour})
+                if (isEdited(c)) fails[index(c)] = 1;
     std::vector<Label> cells;
     for (std::size_t c = 0; c < fails.size(); ++c)
         if (fails[c]) cells.push_back(toLabel(c));

@@ -4,17 +4,19 @@
 
 #include "libpolymesh/quality/meshEditor.h"
 
+#include <vector>
+
 namespace polymesh {
 
 /// What repairCells did.
 struct RepairCounts {
-    Label bad = 0;       // cells that checkMesh would fail, before
-    Label cuts = 0;      // improvements by cutting a concave cell,
-    Label merges = 0;    // by merging a cell into a neighbour,
-    Label collapses = 0; // by collapsing an edge,
-    Label splits = 0;    // by cutting a face,
-    Label remakes = 0;   // by making a cell into convex ones or into pyramids
-    Label left = 0;      // cells that still fail
+    Label bad = 0;           // cells that checkMesh would fail, before
+    Label cuts = 0;          // improvements by cutting a concave cell,
+    Label merges = 0;        // by merging a cell into a neighbour,
+    Label collapses = 0;     // by collapsing an edge,
+    Label splits = 0;        // by cutting a face,
+    Label remakes = 0;       // by making a cell into convex ones or into pyramids
+    std::vector<Label> left; // cells that still fail, ascending
 };
 
 /// Mends cells that OpenFOAM's checkMesh fails by default, one by one: of all the local changes

@@ -2,21 +2,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/trim/assemble.h"
 
+#include "libpolymesh/base/kept.h"
 #include "libpolymesh/base/parallel.h"
 
 #include <algorithm>
+#include <atomic>
+#include <compare>
 
 namespace polymesh {
 
 namespace {
 
-/// A face of the result: of the old mesh, or (from the face count of the old mesh on) edited.
-struct FaceRecord {
-    Label owner;
-    Label neighbour; // -1: boundary
-    Label patch;     // -1: internal
-    Label source;
-    bool isTurned;
+/// Where a face comes in the result: internal ones first, by owner and neighbour; then the
+/// boundary's by patch. Equal ones in the order of their sources, old faces before edited ones.
+struct FacePlace {
+    Label patch = -1; // -1: internal
+    Label owner = -1;
+    Label neighbour = -1; // -1: boundary
+    Label source = -1;    // face of the old mesh, or, counted on from there, edited face
+
+    auto operator<=>(const FacePlace&) const = default;
 };
 
 class Assembly {
@@ -59,82 +64,113 @@ private:
         result_.cellCount = count;
     }
 
-    /// Internal records by (owner, neighbour), then the boundary's by patch.
-    void listFaces() {
-        listOldFaces();
-        std::vector<FaceRecord> edited;
+    /// The faces of the old mesh that stay, in their order in the result.
+    std::vector<Label> listOldFaces() const {
+        const Kept kept(mesh_.faceCount(), [&](Label f) {
+            return meshCell_[index(mesh_.owner[index(f)])] >= 0 &&
+                   (!mesh_.isInternal(f) || meshCell_[index(mesh_.neighbour[index(f)])] >= 0);
+        });
+        std::vector<Label> faces(index(kept.count()));
+        kept.forEach([&](Label f, Label to) { faces[index(to)] = f; });
+        const Label pairs = std::max(kept.count() - 1, Label{0});
+        const Label wrong = parallelSum(pairs, Label{0}, [&](Label i) {
+            return placeOfOld(faces[index(i + 1)]) < placeOfOld(faces[index(i)]) ? Label{1}
+                                                                                 : Label{0};
+        });
+        if (wrong > 0) std::ranges::sort(faces, {}, [&](Label f) { return placeOfOld(f); });
+        return faces;
+    }
+
+    FacePlace placeOfOld(Label f) const {
+        const Label own = meshCell_[index(mesh_.owner[index(f)])];
+        if (mesh_.isInternal(f)) return {-1, own, meshCell_[index(mesh_.neighbour[index(f)])], f};
+        const auto after = std::ranges::upper_bound(mesh_.patches, f, {}, &Patch::start);
+        return {toLabel(static_cast<std::size_t>(after - mesh_.patches.begin())) - 1, own, -1, f};
+    }
+
+    /// The edited faces in their order in the result.
+    std::vector<FacePlace> listEditedFaces() const {
+        std::vector<FacePlace> places;
+        places.reserve(part_.mesh.faces.size());
         for (std::size_t f = 0; f < part_.mesh.faces.size(); ++f) {
             const EditFace& face = part_.mesh.faces[f];
             if (face.isRemoved()) continue;
-            FaceRecord record{editCell_[index(face.owner)],
-                              -1,
-                              face.patch,
-                              mesh_.faceCount() + toLabel(f),
-                              false};
-            if (!face.isBoundary()) {
-                record.neighbour = editCell_[index(face.neighbour)];
-                record.patch = -1;
-                record.isTurned = record.owner > record.neighbour;
-                if (record.isTurned) std::swap(record.owner, record.neighbour);
+            FacePlace place{-1, editCell_[index(face.owner)], -1, mesh_.faceCount() + toLabel(f)};
+            if (face.isBoundary()) {
+                place.patch = face.patch;
+            } else {
+                place.neighbour = editCell_[index(face.neighbour)];
+                if (place.owner > place.neighbour) std::swap(place.owner, place.neighbour);
             }
-            edited.push_back(record);
+            places.push_back(place);
         }
-        const auto before = [](const FaceRecord& a, const FaceRecord& b) {
-            if (a.patch != b.patch) return a.patch < b.patch; // internal ones first
-            if (a.owner != b.owner) return a.owner < b.owner;
-            if (a.neighbour != b.neighbour) return a.neighbour < b.neighbour;
-            return a.source < b.source;
+        parallelSort(places);
+        return places;
+    }
+
+    /// Merges old and edited faces, block by block of the old ones.
+    void listFaces() {
+        const std::vector<Label> old = listOldFaces();
+        const std::vector<FacePlace> edited = listEditedFaces();
+        places_.resize(old.size() + edited.size());
+        constexpr Label block = 1 << 13;
+        const auto firstEdited = [&](Label i) {
+            if (i == 0) return edited.begin();
+            if (i >= toLabel(old.size())) return edited.end();
+            return std::ranges::lower_bound(edited, placeOfOld(old[index(i)]));
         };
-        std::ranges::sort(edited, before);
-        if (!std::ranges::is_sorted(records_, before)) std::ranges::sort(records_, before);
-        std::vector<FaceRecord> merged(records_.size() + edited.size());
-        std::ranges::merge(records_, edited, merged.begin(), before);
-        records_ = std::move(merged);
-    }
-
-    /// Faces of the old mesh that stay as they are: in order already where that was in order.
-    void listOldFaces() {
-        Label patch = 0;
-        for (Label f = 0; f < mesh_.faceCount(); ++f) {
-            const Label own = meshCell_[index(mesh_.owner[index(f)])];
-            if (!mesh_.isInternal(f)) {
-                while (f >= mesh_.patches[index(patch)].start + mesh_.patches[index(patch)].size)
-                    ++patch;
-                if (own >= 0) records_.push_back({own, -1, patch, f, false});
-                continue;
+        parallelBlocks(toLabel(old.size()), block, [&](Label, Label first, Label last) {
+            auto next = firstEdited(first);
+            const auto end = firstEdited(last);
+            auto to = places_.begin() + first + (next - edited.begin());
+            for (Label i = first; i < last; ++i) {
+                const FacePlace place = placeOfOld(old[index(i)]);
+                for (; next != end && *next < place; ++next)
+                    *to++ = *next;
+                *to++ = place;
             }
-            const Label other = meshCell_[index(mesh_.neighbour[index(f)])];
-            if (own >= 0 && other >= 0) records_.push_back({own, other, -1, f, false});
-        }
+            std::copy(next, end, to);
+        });
+        if (old.empty()) places_ = edited;
     }
 
-    std::span<const Label> pointsOf(const FaceRecord& record) const {
-        if (record.source < mesh_.faceCount()) return mesh_.faces[record.source];
-        const auto& points = part_.mesh.faces[index(record.source - mesh_.faceCount())].points;
+    bool isOld(const FacePlace& place) const { return place.source < mesh_.faceCount(); }
+
+    const EditFace& editFace(const FacePlace& place) const {
+        return part_.mesh.faces[index(place.source - mesh_.faceCount())];
+    }
+
+    std::span<const Label> pointsOf(const FacePlace& place) const {
+        if (isOld(place)) return mesh_.faces[place.source];
+        const auto& points = editFace(place).points;
         return {points.data(), points.size()};
+    }
+
+    /// The point of the old mesh that an edited point is, or -1.
+    Label meshPointOf(Label p) const {
+        return p < toLabel(part_.meshPoint.size()) ? part_.meshPoint[index(p)] : -1;
     }
 
     void numberPoints() {
         oldPoint_.assign(mesh_.points.size(), -1);
         newPoint_.assign(part_.mesh.points.size(), -1);
-        for (const FaceRecord& record : records_) {
-            const bool isOld = record.source < mesh_.faceCount();
-            for (const Label p : pointsOf(record)) {
-                if (isOld)
-                    oldPoint_[index(p)] = 0;
-                else if (p < toLabel(part_.meshPoint.size()) && part_.meshPoint[index(p)] >= 0)
-                    oldPoint_[index(part_.meshPoint[index(p)])] = 0;
-                else
-                    newPoint_[index(p)] = 0;
+        const auto use = [](std::vector<Label>& points, Label p) {
+            std::atomic_ref<Label>(points[index(p)]).store(0, std::memory_order_relaxed);
+        };
+        parallelFor(toLabel(places_.size()), [&](Label f) {
+            const FacePlace& place = places_[index(f)];
+            for (const Label p : pointsOf(place)) {
+                const bool isNew = !isOld(place) && meshPointOf(p) < 0;
+                use(isNew ? newPoint_ : oldPoint_, isOld(place) || isNew ? p : meshPointOf(p));
             }
-        }
+        });
         for (std::size_t p = 0; p < oldPoint_.size(); ++p)
             if (oldPoint_[p] == 0) {
                 oldPoint_[p] = result_.pointCount();
                 result_.points.push_back(mesh_.points[p]);
             }
         for (std::size_t p = 0; p < newPoint_.size(); ++p) {
-            const Label meshPoint = p < part_.meshPoint.size() ? part_.meshPoint[p] : -1;
+            const Label meshPoint = meshPointOf(toLabel(p));
             if (meshPoint >= 0) {
                 newPoint_[p] = oldPoint_[index(meshPoint)];
             } else if (newPoint_[p] == 0) {
@@ -147,14 +183,11 @@ private:
     void addPatches(const std::vector<std::string>& names, const std::vector<std::string>& types) {
         const Label oldCount = toLabel(mesh_.patches.size());
         std::vector<Label> sizes(index(oldCount) + names.size(), 0);
-        Label internal = 0;
-        for (const FaceRecord& record : records_) {
-            if (record.patch < 0)
-                ++internal;
-            else
-                ++sizes[index(record.patch)];
-        }
-        Label start = internal;
+        const auto boundary = std::ranges::lower_bound(places_, 0, {}, &FacePlace::patch);
+        for (auto place = boundary; place != places_.end(); ++place)
+            ++sizes[index(place->patch)];
+        internalCount_ = toLabel(static_cast<std::size_t>(boundary - places_.begin()));
+        Label start = internalCount_;
         for (std::size_t p = 0; p < sizes.size(); ++p) {
             Patch patch;
             if (toLabel(p) < oldCount) {
@@ -169,7 +202,6 @@ private:
             start += sizes[p];
             result_.patches.push_back(std::move(patch));
         }
-        result_.neighbour.reserve(index(internal));
     }
 
     std::string freeName(std::string name) const {
@@ -183,22 +215,30 @@ private:
     }
 
     void fillFaces() {
-        result_.owner.reserve(records_.size());
-        result_.faces.offsets.reserve(records_.size() + 1);
-        for (const FaceRecord& record : records_) {
-            result_.owner.push_back(record.owner);
-            if (record.neighbour >= 0) result_.neighbour.push_back(record.neighbour);
-            const Label size = toLabel(pointsOf(record).size());
-            result_.faces.offsets.push_back(result_.faces.offsets.back() + size);
-        }
-        result_.faces.values.resize(index(result_.faces.offsets.back()));
-        parallelFor(toLabel(records_.size()), [&](Label f) {
-            const FaceRecord& record = records_[index(f)];
-            const auto& numbers = record.source < mesh_.faceCount() ? oldPoint_ : newPoint_;
-            const auto from = pointsOf(record);
+        const Label count = toLabel(places_.size());
+        result_.owner.resize(places_.size());
+        result_.neighbour.resize(index(internalCount_));
+        auto& offsets = result_.faces.offsets;
+        offsets.assign(places_.size() + 1, 0);
+        parallelFor(count, [&](Label f) {
+            const FacePlace& place = places_[index(f)];
+            result_.owner[index(f)] = place.owner;
+            if (f < internalCount_) result_.neighbour[index(f)] = place.neighbour;
+            offsets[index(f) + 1] = toLabel(pointsOf(place).size());
+        });
+        for (std::size_t f = 1; f < offsets.size(); ++f)
+            offsets[f] += offsets[f - 1];
+        result_.faces.values.resize(index(offsets.back()));
+        parallelFor(count, [&](Label f) {
+            const FacePlace& place = places_[index(f)];
+            const auto& numbers = isOld(place) ? oldPoint_ : newPoint_;
+            // An edited face may have its sides the other way round.
+            const bool isTurned =
+                !isOld(place) && place.owner != editCell_[index(editFace(place).owner)];
+            const auto from = pointsOf(place);
             const auto to = result_.faces[f];
             for (std::size_t i = 0; i < from.size(); ++i)
-                to[i] = numbers[index(from[record.isTurned && i > 0 ? from.size() - i : i])];
+                to[i] = numbers[index(from[isTurned && i > 0 ? from.size() - i : i])];
         });
     }
 
@@ -229,7 +269,8 @@ private:
     std::vector<Label> editCell_; // edit cell -> new cell
     std::vector<Label> oldPoint_;
     std::vector<Label> newPoint_;
-    std::vector<FaceRecord> records_;
+    std::vector<FacePlace> places_; // of all faces of the result
+    Label internalCount_ = 0;
 };
 
 } // namespace

@@ -2,26 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/trim/dropOutside.h"
 
+#include "libpolymesh/base/kept.h"
+#include "libpolymesh/base/parallel.h"
+
 #include <algorithm>
+#include <atomic>
+#include <utility>
 
 namespace polymesh {
 
 namespace {
-
-/// New labels of the cells that stay, -1 for the others.
-std::vector<Label>
-numberKept(const Probe& probe, const std::vector<std::int8_t>& cellWinding, Label& count) {
-    std::vector<Label> number(cellWinding.size(), -1);
-    for (std::size_t c = 0; c < number.size(); ++c)
-        if (probe.localCell[c] >= 0 || cellWinding[c] >= 1) number[c] = count++;
-    return number;
-}
-
-template<class T>
-void shrink(std::vector<T>& values, std::size_t size) {
-    values.resize(size);
-    values.shrink_to_fit();
-}
 
 class Drop {
 public:
@@ -38,66 +28,75 @@ public:
 private:
     Label numberOf(Label cell) const { return cellNumber_[index(cell)]; }
 
-    /// Moves the kept faces to the front, patch by patch.
+    /// Replaces each list of the mesh in turn, the small ones first: the old one goes before the
+    /// next new one comes.
     void dropFaces() {
         const Label oldInternal = mesh_.internalFaceCount();
-        Label face = 0;
-        Label corner = 0;
-        std::size_t patch = 0;
-        Label newInternal = 0;
-        std::vector<Label> starts;
-        auto probed = probe_.faces.begin();
-        for (Label f = 0; f < mesh_.faceCount(); ++f) {
-            if (f == oldInternal) newInternal = face;
-            for (; patch < mesh_.patches.size() && f == mesh_.patches[patch].start; ++patch)
-                starts.push_back(face);
-            const bool isInternal = f < oldInternal;
-            const Label own = numberOf(mesh_.owner[index(f)]);
-            const Label other = isInternal ? numberOf(mesh_.neighbour[index(f)]) : own;
-            const bool isKept = own >= 0 && other >= 0;
-            if (probed != probe_.faces.end() && *probed == f) *probed++ = isKept ? face : -1;
-            if (!isKept) continue;
-            mesh_.owner[index(face)] = own;
-            if (isInternal) mesh_.neighbour[index(face)] = other;
-            const Label first = mesh_.faces.offsets[index(f)];
-            const Label last = mesh_.faces.offsets[index(f) + 1];
-            // offsets[face] still belongs to the new faces: the old ones are read ahead of it.
-            for (Label i = first; i < last; ++i)
-                mesh_.faces.values[index(corner++)] = mesh_.faces.values[index(i)];
-            mesh_.faces.offsets[index(++face)] = corner;
-        }
-        if (oldInternal == mesh_.faceCount()) newInternal = face;
-        finishFaces(face, corner, newInternal, starts);
+        const Kept faces(mesh_.faceCount(), [&](Label f) {
+            return numberOf(mesh_.owner[index(f)]) >= 0 &&
+                   (f >= oldInternal || numberOf(mesh_.neighbour[index(f)]) >= 0);
+        });
+        renumberPatches(faces);
+        renumberProbe(faces);
+        std::vector<Label> owner(index(faces.count()));
+        std::vector<Label> neighbour(index(faces.countBefore(oldInternal)));
+        faces.forEach([&](Label f, Label to) {
+            owner[index(to)] = numberOf(mesh_.owner[index(f)]);
+            if (f < oldInternal) neighbour[index(to)] = numberOf(mesh_.neighbour[index(f)]);
+        });
+        mesh_.owner = std::move(owner);
+        mesh_.neighbour = std::move(neighbour);
+        mesh_.faces = rowsOf(faces);
     }
 
-    void finishFaces(Label faces, Label corners, Label internal, std::vector<Label>& starts) {
-        starts.resize(mesh_.patches.size(), faces);
-        for (std::size_t p = 0; p < starts.size(); ++p) {
-            mesh_.patches[p].start = starts[p];
-            mesh_.patches[p].size = (p + 1 < starts.size() ? starts[p + 1] : faces) - starts[p];
+    Rows<Label> rowsOf(const Kept& faces) {
+        const Rows<Label>& old = mesh_.faces;
+        Rows<Label> rows;
+        rows.offsets.assign(index(faces.count()) + 1, 0);
+        faces.forEach([&](Label f, Label to) { rows.offsets[index(to) + 1] = old.rowSize(f); });
+        for (std::size_t f = 1; f < rows.offsets.size(); ++f)
+            rows.offsets[f] += rows.offsets[f - 1];
+        rows.values.resize(index(rows.offsets.back()));
+        faces.forEach([&](Label f, Label to) { std::ranges::copy(old[f], rows[to].begin()); });
+        return rows;
+    }
+
+    void renumberPatches(const Kept& faces) {
+        for (Patch& patch : mesh_.patches) {
+            const Label end = faces.countBefore(patch.start + patch.size);
+            patch.start = faces.countBefore(patch.start);
+            patch.size = end - patch.start;
         }
-        // The small ones first: shrinking holds the old and the new array for a moment.
-        shrink(mesh_.faces.offsets, index(faces) + 1);
-        shrink(mesh_.owner, index(faces));
-        shrink(mesh_.neighbour, index(internal));
-        shrink(mesh_.faces.values, index(corners));
+    }
+
+    /// The probe's faces become -1 where they go.
+    void renumberProbe(const Kept& faces) {
+        parallelFor(probe_.faceCount(), [&](Label i) {
+            Label& f = probe_.faces[index(i)];
+            f = faces.isKept(f) ? faces.countBefore(f) : -1;
+        });
     }
 
     void dropPoints() {
+        std::vector<std::uint8_t> used(mesh_.points.size(), 0);
+        parallelFor(toLabel(mesh_.faces.values.size()), [&](Label i) {
+            std::atomic_ref<std::uint8_t>(used[index(mesh_.faces.values[index(i)])])
+                .store(1, std::memory_order_relaxed);
+        });
+        const Kept kept(mesh_.pointCount(), [&](Label p) { return used[index(p)] != 0; });
         std::vector<Label> number(mesh_.points.size(), -1);
-        for (const Label p : mesh_.faces.values)
-            number[index(p)] = 0;
-        Label count = 0;
-        for (std::size_t p = 0; p < number.size(); ++p)
-            if (number[p] == 0) {
-                mesh_.points[index(count)] = mesh_.points[p];
-                number[p] = count++;
-            }
-        shrink(mesh_.points, index(count));
-        for (Label& p : mesh_.faces.values)
-            p = number[index(p)];
-        for (Label& p : probe_.nodes)
-            p = number[index(p)];
+        std::vector<Vec3> points(index(kept.count()));
+        kept.forEach([&](Label p, Label to) {
+            number[index(p)] = to;
+            points[index(to)] = mesh_.points[index(p)];
+        });
+        mesh_.points = std::move(points);
+        const auto renumber = [&](std::vector<Label>& labels) {
+            parallelFor(toLabel(labels.size()),
+                        [&](Label i) { labels[index(i)] = number[index(labels[index(i)])]; });
+        };
+        renumber(mesh_.faces.values);
+        renumber(probe_.nodes);
     }
 
     void dropCellLabels() {
@@ -123,13 +122,17 @@ private:
 } // namespace
 
 void dropOutside(PolyMesh& mesh, Probe& probe, std::vector<std::int8_t>& cellWinding) {
-    Label count = 0;
-    const std::vector<Label> number = numberKept(probe, cellWinding, count);
-    if (count > mesh.cellCount - mesh.cellCount / 5) return;
-    Drop(mesh, probe, number).run(count);
-    std::vector<std::int8_t> kept;
-    for (std::size_t c = 0; c < number.size(); ++c)
-        if (number[c] >= 0) kept.push_back(cellWinding[c]);
+    const Kept cells(mesh.cellCount, [&](Label c) {
+        return probe.localCell[index(c)] >= 0 || cellWinding[index(c)] >= 1;
+    });
+    if (cells.count() > mesh.cellCount - mesh.cellCount / 5) return;
+    std::vector<Label> number(index(mesh.cellCount), -1);
+    std::vector<std::int8_t> kept(index(cells.count()));
+    cells.forEach([&](Label c, Label to) {
+        number[index(c)] = to;
+        kept[index(to)] = cellWinding[index(c)];
+    });
+    Drop(mesh, probe, number).run(cells.count());
     cellWinding = std::move(kept);
 }
 

@@ -93,6 +93,7 @@ void joinEdges(const Probe& probe, const Arrangement& arrangement, WindingSets& 
 }
 
 constexpr std::int8_t unknown = INT8_MAX;
+constexpr std::int8_t probed = INT8_MIN; // the surface may touch the cell: it has no number
 
 /// Gives cells that nothing touches the number of the probed faces that they share.
 void windNeighbours(const PolyMesh& mesh,
@@ -110,20 +111,17 @@ void windNeighbours(const PolyMesh& mesh,
 }
 
 /// Carries numbers from cell to cell through faces that nothing touches, in sweeps forward and
-/// backward over the faces; their order makes a few sweeps do for all but labyrinths.
-void sweepCells(const PolyMesh& mesh, const Probe& probe, std::vector<std::int8_t>& cellWinding) {
+/// backward over the faces; their order makes one of each do for all but labyrinths.
+void sweepCells(const PolyMesh& mesh, std::vector<std::int8_t>& cellWinding) {
     bool isChanged = true;
     const auto carry = [&](Label f) {
-        const Label a = mesh.owner[index(f)];
-        const Label b = mesh.neighbour[index(f)];
-        std::int8_t& atA = cellWinding[index(a)];
-        std::int8_t& atB = cellWinding[index(b)];
-        if ((atA == unknown) == (atB == unknown)) return;
-        if (probe.localCell[index(a)] >= 0 || probe.localCell[index(b)] >= 0) return;
+        std::int8_t& atA = cellWinding[index(mesh.owner[index(f)])];
+        std::int8_t& atB = cellWinding[index(mesh.neighbour[index(f)])];
+        if ((atA == unknown) == (atB == unknown) || atA == probed || atB == probed) return;
         (atA == unknown ? atA : atB) = atA == unknown ? atB : atA;
         isChanged = true;
     };
-    while (isChanged) {
+    while (isChanged && std::ranges::find(cellWinding, unknown) != cellWinding.end()) {
         isChanged = false;
         for (Label f = 0; f < mesh.internalFaceCount(); ++f)
             carry(f);
@@ -134,7 +132,6 @@ void sweepCells(const PolyMesh& mesh, const Probe& probe, std::vector<std::int8_
 
 /// Asks rays about cells that no probed cell reaches, piece by piece.
 void windIslands(const PolyMesh& mesh,
-                 const Probe& probe,
                  const CuttingSurface& cutter,
                  int shift,
                  std::vector<std::int8_t>& cellWinding) {
@@ -143,7 +140,7 @@ void windIslands(const PolyMesh& mesh,
         if (winding != unknown) continue;
         const Vec3& p = mesh.points[index(mesh.faces[f][0])];
         winding = static_cast<std::int8_t>(windingNumber(cutter, p) + shift);
-        sweepCells(mesh, probe, cellWinding);
+        sweepCells(mesh, cellWinding);
     }
 }
 
@@ -178,10 +175,12 @@ std::vector<std::int8_t> windNodes(const PolyMesh& mesh,
 
     std::vector<std::int8_t> cellWinding(index(mesh.cellCount), unknown);
     for (const Label c : probe.cells)
-        cellWinding[index(c)] = 0;
+        cellWinding[index(c)] = probed;
     windNeighbours(mesh, probe, arrangement, cellWinding);
-    sweepCells(mesh, probe, cellWinding);
-    windIslands(mesh, probe, cutter, shift, cellWinding);
+    sweepCells(mesh, cellWinding);
+    windIslands(mesh, cutter, shift, cellWinding);
+    for (const Label c : probe.cells)
+        cellWinding[index(c)] = 0;
     return cellWinding;
 }
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <span>
 
@@ -101,25 +102,8 @@ NearCells findNearCells(const PolyMesh& mesh, const TriangleBins& bins) {
     return cells;
 }
 
-/// Numbers the cells marked and lists their faces.
-void addCells(const PolyMesh& mesh, const std::vector<std::uint8_t>& marked, Probe& probe) {
-    probe.cells.clear();
-    probe.localCell.assign(index(mesh.cellCount), -1);
-    for (Label c = 0; c < mesh.cellCount; ++c)
-        if (marked[index(c)] != 0) {
-            probe.localCell[index(c)] = probe.cellCount();
-            probe.cells.push_back(c);
-        }
-    probe.faces.clear();
-    probe.faceCells.clear();
-    for (Label f = 0; f < mesh.faceCount(); ++f) {
-        const Label own = probe.localCell[index(mesh.owner[index(f)])];
-        const Label other =
-            mesh.isInternal(f) ? probe.localCell[index(mesh.neighbour[index(f)])] : -1;
-        if (own < 0 && other < 0) continue;
-        probe.faces.push_back(f);
-        probe.faceCells.push_back({own, other});
-    }
+/// Lists the faces of the probe's cells by cell.
+void listCellFaces(Probe& probe) {
     auto& offsets = probe.cellFaces.offsets;
     offsets.assign(index(probe.cellCount()) + 1, 0);
     for (const auto& cells : probe.faceCells)
@@ -132,6 +116,61 @@ void addCells(const PolyMesh& mesh, const std::vector<std::uint8_t>& marked, Pro
     for (Label f = 0; f < probe.faceCount(); ++f)
         for (const Label c : probe.faceCells[index(f)])
             if (c >= 0) probe.cellFaces.values[index(next[index(c)]++)] = f;
+}
+
+/// Numbers the marked cells and lists their faces.
+void addCells(const PolyMesh& mesh, const std::vector<std::uint8_t>& marked, Probe& probe) {
+    probe.localCell.assign(index(mesh.cellCount), -1);
+    for (Label c = 0; c < mesh.cellCount; ++c)
+        if (marked[index(c)] != 0) {
+            probe.localCell[index(c)] = probe.cellCount();
+            probe.cells.push_back(c);
+        }
+    constexpr Label block = 1 << 16;
+    std::vector<std::vector<Label>> faces(index((mesh.faceCount() + block - 1) / block));
+    parallelBlocks(mesh.faceCount(), block, [&](Label b, Label first, Label last) {
+        for (Label f = first; f < last; ++f)
+            if (marked[index(mesh.owner[index(f)])] != 0 ||
+                (mesh.isInternal(f) && marked[index(mesh.neighbour[index(f)])] != 0))
+                faces[index(b)].push_back(f);
+    });
+    for (const std::vector<Label>& found : faces)
+        probe.faces.insert(probe.faces.end(), found.begin(), found.end());
+    for (const Label f : probe.faces) {
+        const Label other = mesh.isInternal(f) ? mesh.neighbour[index(f)] : -1;
+        probe.faceCells.push_back({probe.localCell[index(mesh.owner[index(f)])],
+                                   other >= 0 ? probe.localCell[index(other)] : -1});
+    }
+    listCellFaces(probe);
+}
+
+/// Lets the cells without a triangle go, and the faces that no other cell has.
+void dropEmptyCells(Rows<Label> triangles, Probe& probe) {
+    std::vector<Label> renumbered(probe.cells.size(), -1);
+    Label count = 0;
+    for (Label c = 0; c < probe.cellCount(); ++c) {
+        const Label cell = probe.cells[index(c)];
+        const bool isEmpty = triangles.rowSize(c) == 0;
+        probe.localCell[index(cell)] = isEmpty ? -1 : count;
+        if (isEmpty) continue;
+        probe.triangles.offsets.push_back(probe.triangles.offsets.back() + triangles.rowSize(c));
+        probe.cells[index(count)] = cell;
+        renumbered[index(c)] = count++;
+    }
+    probe.cells.resize(index(count));
+    probe.triangles.values = std::move(triangles.values); // empty rows held none
+    std::size_t faces = 0;
+    for (std::size_t f = 0; f < probe.faces.size(); ++f) {
+        std::array<Label, 2> cells = probe.faceCells[f];
+        for (Label& c : cells)
+            if (c >= 0) c = renumbered[index(c)];
+        if (cells[0] < 0 && cells[1] < 0) continue;
+        probe.faces[faces] = probe.faces[f];
+        probe.faceCells[faces++] = cells;
+    }
+    probe.faces.resize(faces);
+    probe.faceCells.resize(faces);
+    listCellFaces(probe);
 }
 
 Box cellBox(const PolyMesh& mesh, const Probe& probe, Label cell) {
@@ -167,23 +206,33 @@ Rows<Label> findTriangles(const PolyMesh& mesh,
     return joined(parts);
 }
 
+/// Numbers the points of the probe's faces in their order in the mesh.
 void numberNodes(const PolyMesh& mesh, Probe& probe) {
+    Rows<Label>& rows = probe.faceNodes;
+    rows.offsets.resize(probe.faces.size() + 1);
+    rows.offsets[0] = 0;
+    for (std::size_t f = 0; f < probe.faces.size(); ++f)
+        rows.offsets[f + 1] = rows.offsets[f] + mesh.faces.rowSize(probe.faces[f]);
+    rows.values.resize(index(rows.offsets.back()));
     std::vector<Label> local(mesh.points.size(), -1);
-    probe.faceNodes.offsets.reserve(probe.faces.size() + 1);
-    for (const Label f : probe.faces)
-        for (const Label p : mesh.faces[f])
-            local[index(p)] = 0;
+    parallelFor(probe.faceCount(), [&](Label f) {
+        for (const Label p : mesh.faces[probe.faces[index(f)]])
+            std::atomic_ref<Label>(local[index(p)]).store(0, std::memory_order_relaxed);
+    });
     for (std::size_t p = 0; p < local.size(); ++p)
         if (local[p] == 0) {
             local[p] = toLabel(probe.nodes.size());
             probe.nodes.push_back(toLabel(p));
-            probe.nodePoints.push_back(mesh.points[p]);
         }
-    for (const Label f : probe.faces) {
-        for (const Label p : mesh.faces[f])
-            probe.faceNodes.values.push_back(local[index(p)]);
-        probe.faceNodes.offsets.push_back(toLabel(probe.faceNodes.values.size()));
-    }
+    probe.nodePoints.resize(probe.nodes.size());
+    parallelFor(toLabel(probe.nodes.size()), [&](Label n) {
+        probe.nodePoints[index(n)] = mesh.points[index(probe.nodes[index(n)])];
+    });
+    parallelFor(probe.faceCount(), [&](Label f) {
+        std::ranges::transform(mesh.faces[probe.faces[index(f)]], rows[f].begin(), [&](Label p) {
+            return local[index(p)];
+        });
+    });
 }
 
 /// Whether any triangle of the face's cell comes near the face: else it is not cut.
@@ -309,19 +358,11 @@ Probe buildProbe(const PolyMesh& mesh,
                  const TriSurface& surface,
                  const std::vector<Box>& triangleBoxes) {
     const TriangleBins bins(surface, meanCellSize(mesh));
-    NearCells nearCells = findNearCells(mesh, bins);
+    const NearCells nearCells = findNearCells(mesh, bins);
     Probe probe;
     addCells(mesh, nearCells.marked, probe);
-    Rows<Label> triangles =
-        findTriangles(mesh, surface, triangleBoxes, bins, nearCells.ranges, probe);
-    for (Label c = 0; c < probe.cellCount(); ++c)
-        if (triangles.rowSize(c) == 0) nearCells.marked[index(probe.cells[index(c)])] = 0;
-    addCells(mesh, nearCells.marked, probe);
-    for (Label c = 0; c < triangles.size(); ++c)
-        if (triangles.rowSize(c) != 0)
-            probe.triangles.offsets.push_back(probe.triangles.offsets.back() +
-                                              triangles.rowSize(c));
-    probe.triangles.values = std::move(triangles.values); // empty rows held none
+    dropEmptyCells(findTriangles(mesh, surface, triangleBoxes, bins, nearCells.ranges, probe),
+                   probe);
     numberNodes(mesh, probe);
     const std::vector<std::uint8_t> isFan = findFans(probe, triangleBoxes);
     addFacets(isFan, probe);

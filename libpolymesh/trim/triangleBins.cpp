@@ -53,18 +53,6 @@ Span extent(const Polygon& polygon, int axis) {
 
 } // namespace
 
-void TriangleBins::Range::add(const Index& i) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        first[axis] = std::min(first[axis], i[axis]);
-        last[axis] = std::max(last[axis], i[axis]);
-    }
-}
-
-void TriangleBins::Range::add(const Range& r) {
-    add(r.first);
-    add(r.last);
-}
-
 TriangleBins::TriangleBins(const TriSurface& surface, double binSize)
     : box_(boundingBox(surface.points)) {
     const Vec3 extents = box_.size();

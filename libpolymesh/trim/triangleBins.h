@@ -6,6 +6,7 @@
 #include "libpolymesh/geometry/box.h"
 #include "libpolymesh/surface/triSurface.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -17,15 +18,25 @@ namespace polymesh {
 /// near it); (2) binOf is monotonous in each coordinate, so that a range of bins covers a box.
 class TriangleBins {
 public:
-    using Index = std::array<std::int16_t, 3>;
+    /// One number for each direction; a fourth one, without meaning, makes it fit a register.
+    using Index = std::array<std::int16_t, 4>;
 
     /// A box of bins, both ends included.
     struct Range {
-        Index first{INT16_MAX, INT16_MAX, INT16_MAX};
-        Index last{INT16_MIN, INT16_MIN, INT16_MIN};
+        Index first{INT16_MAX, INT16_MAX, INT16_MAX, INT16_MAX};
+        Index last{INT16_MIN, INT16_MIN, INT16_MIN, INT16_MIN};
 
-        void add(const Index& i);
-        void add(const Range& r);
+        void add(const Index& i) {
+            for (std::size_t axis = 0; axis < i.size(); ++axis) {
+                first[axis] = std::min(first[axis], i[axis]);
+                last[axis] = std::max(last[axis], i[axis]);
+            }
+        }
+
+        void add(const Range& r) {
+            add(r.first);
+            add(r.last);
+        }
     };
 
     /// `binSize` [m] is a wish: at most some 10^6 bins are made. Cost: O(triangles + pairs).

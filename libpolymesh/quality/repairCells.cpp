@@ -427,7 +427,7 @@ RepairCounts repairCells(MeshEditor& editor) {
     WorkBudget budget(40000 + std::int64_t{editor.cellCount()});
     mendFailingCells(editor, cells, budget, counts);
     remakeFailingCells(editor, cells, budget, counts);
-    counts.left = toLabel(stillFailing(editor, cells).size());
+    counts.left = stillFailing(editor, cells);
     return counts;
 }
 

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/mps/makeDivisible.h"
 
+#include "libpolymesh/mesh/cellGeometry.h"
 #include "libpolymesh/mesh/validate.h"
 #include "libpolymesh/mps/cones.h"
 #include "libpolymesh/mps/splitFaces.h"
 #include "libpolymesh/mps/untangle.h"
 #include "libpolymesh/quality/convexDecomposition.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace polymesh {
@@ -57,11 +59,32 @@ void makeTetrahedra(Divisible& work) {
     helpLocally(work);
 }
 
+/// The cells of which a part has next to no volume; origins: the cell that each cell is a part of.
+std::vector<Label>
+cellsWithFlatParts(const PolyMesh& old, const PolyMesh& cut, std::span<const Label> origins) {
+    constexpr double flat = 1e-9; // of the whole's volume
+    const std::vector<double> whole = computeGeometry(old).cellVolumes;
+    const std::vector<double> parts = computeGeometry(cut).cellVolumes;
+    std::vector<Label> cells;
+    for (std::size_t part = 0; part < parts.size(); ++part)
+        if (parts[part] < flat * whole[index(origins[part])]) cells.push_back(origins[part]);
+    std::ranges::sort(cells);
+    return cells;
+}
+
 /// Cuts the cells that are left into convex ones where they are concave (holes through a cell, no
 /// point that sees all faces). Returns false when that changes nothing, or spoils the mesh.
 bool cutConcave(Divisible& work) {
+    std::vector<Label> cells = work.plan.inverted;
+    std::vector<Label> origins;
     PolyMesh cut = work.mesh;
-    const DecompositionCounts counts = decomposeCells(cut, work.plan.inverted);
+    DecompositionCounts counts = decomposeCells(cut, cells, {}, &origins);
+    const std::vector<Label> flat = cellsWithFlatParts(work.mesh, cut, origins);
+    if (!flat.empty()) {
+        std::erase_if(cells, [&](Label c) { return std::ranges::binary_search(flat, c); });
+        cut = work.mesh;
+        counts = decomposeCells(cut, cells);
+    }
     if (counts.cuts + counts.cellPoints + counts.splitFaces == 0 || !validate(cut).empty())
         return false;
     work.cutCells += counts.cuts;

@@ -89,7 +89,7 @@ private:
     std::vector<Label> star(Label cell) {
         const auto apex = starPoint(editor_, cell);
         if (!apex) return {cell};
-        const std::vector<Label> pyramids = makePyramids(editor_, cell, *apex);
+        std::vector<Label> pyramids = makePyramids(editor_, cell, *apex);
         if (pyramids.empty()) return {cell};
         ++counts_.cellPoints;
         return pyramids;

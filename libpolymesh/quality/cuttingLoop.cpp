@@ -220,6 +220,22 @@ double LoopFinder::weightOf(std::size_t corner) const {
     return 1 + outOfPlane * std::abs(corners_[corner].offPlane) / size_;
 }
 
+namespace {
+
+/// The place of the least distance that is not done; the number of places when there is none.
+std::size_t nearestOf(const std::vector<double>& distance, const std::vector<bool>& done) {
+    std::size_t nearest = distance.size();
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < distance.size(); ++i)
+        if (!done[i] && distance[i] < least) {
+            nearest = i;
+            least = distance[i];
+        }
+    return nearest;
+}
+
+} // namespace
+
 /// Dijkstra's search from `start` back to `goal` over the steps, without the step that joins them
 /// and corners that are taken; few corners, so no queue is needed.
 std::optional<CellLoop>
@@ -230,11 +246,7 @@ LoopFinder::shortestWay(std::size_t start, std::size_t goal, const std::vector<b
     std::vector<bool> done = taken;
     distance[start] = 0;
     while (true) {
-        std::size_t at = corners_.size();
-        for (std::size_t i = 0; i < corners_.size(); ++i)
-            if (!done[i] && distance[i] < far &&
-                (at == corners_.size() || distance[i] < distance[at]))
-                at = i;
+        const std::size_t at = nearestOf(distance, done);
         if (at == corners_.size() || at == goal) break;
         done[at] = true;
         for (std::size_t s = 0; s < steps_.size(); ++s) {

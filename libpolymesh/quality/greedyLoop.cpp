@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <tuple>
 
 namespace polymesh {
 
@@ -17,7 +18,11 @@ struct Way {
     Label to = -1;
     Label face = -1; // to be cut; -1: along an edge
 
-    auto operator<=>(const Way&) const = default;
+    bool operator==(const Way&) const = default;
+
+    bool operator<(const Way& other) const {
+        return std::tie(from, to, face) < std::tie(other.from, other.to, other.face);
+    }
 };
 
 bool isChordInside(const MeshEditor& editor,

@@ -141,16 +141,8 @@ public:
         const Badness rest = badnessBeside(editor_, cell_, region_);
         const std::vector<ReflexEdge> reflex = reflexEdges(editor_, cell_, tolerance);
         for (std::size_t i = 0; i < std::min(reflex.size(), maxEdges); ++i) {
-            const EdgeList forbidden = forbiddenEdges(editor_, reflex[i], reflex);
-            for (const EdgePlane& plane : planesAt(editor_, cell_, reflex[i]))
-                for (const double snap : {0.25, 0.05, 0.0}) {
-                    if (snap == 0 && !aim_.wantsConvex) continue;
-                    const std::size_t before = cuts_.size();
-                    if (!tryPlane(plane, snap, forbidden)) return std::move(cuts_);
-                    for (std::size_t c = before; c < cuts_.size(); ++c)
-                        if (!aim_.wantsConvex && isNoWorse(cuts_[c].after, rest))
-                            return std::move(cuts_);
-                }
+            if (!tryPlanesAt(reflex[i], forbiddenEdges(editor_, reflex[i], reflex), rest))
+                return std::move(cuts_);
         }
         if (aim_.wantsConvex && cuts_.empty()) tryGreedyLoops(reflex);
         return std::move(cuts_);
@@ -179,6 +171,24 @@ private:
         });
         if (!known) tried_.push_back(loop);
         return !known;
+    }
+
+    /// True when one of the cuts leaves no more than that.
+    bool foundBadnessOf(const Badness& rest) const {
+        return std::any_of(
+            cuts_.begin(), cuts_.end(), [&](const Cut& cut) { return isNoWorse(cut.after, rest); });
+    }
+
+    /// False when the budget does not allow more, or a cut is found that leaves `rest` only and no
+    /// more is asked for.
+    bool tryPlanesAt(const ReflexEdge& edge, const EdgeList& forbidden, const Badness& rest) {
+        for (const EdgePlane& plane : planesAt(editor_, cell_, edge))
+            for (const double snap : {0.25, 0.05, 0.0}) {
+                if (snap == 0 && !aim_.wantsConvex) continue;
+                if (!tryPlane(plane, snap, forbidden)) return false;
+                if (!aim_.wantsConvex && foundBadnessOf(rest)) return false;
+            }
+        return true;
     }
 
     /// False when the budget does not allow it.

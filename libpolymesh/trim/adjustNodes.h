@@ -42,7 +42,7 @@ struct AdjustedNodes {
 /// hang on an edge or a face of a larger cell are not moved but keep their place on it. A move is
 /// taken back, the least important first, as long as a cell has a part that is too small: see
 /// smallestPart in adjustGuard.h.
-/// Equal for any number of threads. Cost: a few passes over the mesh, as buildProbe, and about a
+/// Equal for any number of threads. Cost: a few passes over the mesh, as findProbe, and about a
 /// microsecond for a node near the surface. Source: the paper, section 2; docs/adjust.md.
 AdjustedNodes adjustNodes(PolyMesh& mesh,
                           const CuttingSurface& surface,

@@ -75,73 +75,32 @@ int rayWinding(const CuttingSurface& cutter, const Vec3& from, int axis, double 
     return winding;
 }
 
+[[noreturn]] void failAt(const Vec3& p) {
+    throw WorkError(
+        fmt::format("the surface is not closed near ({} {} {}): inside and outside contradict each "
+                    "other; repair the surface there",
+                    p.x,
+                    p.y,
+                    p.z));
+}
+
 void joinEdges(const Probe& probe, const Arrangement& arrangement, WindingSets& sets) {
     for (Label e = 0; e < probe.edgeCount(); ++e) {
         int step = 0;
         for (const EdgeCrossing& crossing : arrangement.crossings[e])
             step += crossing.sign;
         const auto& [a, b] = probe.edges[index(e)];
-        const Vec3& p = probe.nodePoints[index(a)];
-        if (!sets.join(a, b, step))
-            throw WorkError(fmt::format(
-                "the surface is not closed near ({} {} {}): inside and outside contradict each "
-                "other; repair the surface there",
-                p.x,
-                p.y,
-                p.z));
+        if (!sets.join(a, b, step)) failAt(probe.nodePoints[index(a)]);
     }
 }
 
-constexpr std::int8_t unknown = INT8_MAX;
-constexpr std::int8_t probed = INT8_MIN; // the surface may touch the cell: it has no number
-
-/// Gives cells that nothing touches the number of the probed faces that they share.
-void windNeighbours(const PolyMesh& mesh,
-                    const Probe& probe,
-                    const Arrangement& arrangement,
-                    std::vector<std::int8_t>& cellWinding) {
-    for (Label f = 0; f < probe.faceCount(); ++f) {
-        const Label meshFace = probe.faces[index(f)];
-        const auto& cells = probe.faceCells[index(f)];
-        const std::int8_t winding = arrangement.winding[index(probe.faceNodes[f][0])];
-        if (cells[0] < 0) cellWinding[index(mesh.owner[index(meshFace)])] = winding;
-        if (cells[1] < 0 && mesh.isInternal(meshFace))
-            cellWinding[index(mesh.neighbour[index(meshFace)])] = winding;
-    }
-}
-
-/// Carries numbers from cell to cell through faces that nothing touches, in sweeps forward and
-/// backward over the faces; their order makes one of each do for all but labyrinths.
-void sweepCells(const PolyMesh& mesh, std::vector<std::int8_t>& cellWinding) {
-    bool isChanged = true;
-    const auto carry = [&](Label f) {
-        std::int8_t& atA = cellWinding[index(mesh.owner[index(f)])];
-        std::int8_t& atB = cellWinding[index(mesh.neighbour[index(f)])];
-        if ((atA == unknown) == (atB == unknown) || atA == probed || atB == probed) return;
-        (atA == unknown ? atA : atB) = atA == unknown ? atB : atA;
-        isChanged = true;
-    };
-    while (isChanged && std::ranges::find(cellWinding, unknown) != cellWinding.end()) {
-        isChanged = false;
-        for (Label f = 0; f < mesh.internalFaceCount(); ++f)
-            carry(f);
-        for (Label f = mesh.internalFaceCount() - 1; f >= 0; --f)
-            carry(f);
-    }
-}
-
-/// Asks rays about cells that no probed cell reaches, piece by piece.
-void windIslands(const PolyMesh& mesh,
-                 const CuttingSurface& cutter,
-                 int shift,
-                 std::vector<std::int8_t>& cellWinding) {
-    for (Label f = 0; f < mesh.faceCount(); ++f) {
-        std::int8_t& winding = cellWinding[index(mesh.owner[index(f)])];
-        if (winding != unknown) continue;
-        const Vec3& p = mesh.points[index(mesh.faces[f][0])];
-        winding = static_cast<std::int8_t>(windingNumber(cutter, p) + shift);
-        sweepCells(mesh, cellWinding);
-    }
+/// The cell outside the probe behind a probed face, or -1.
+Label farCell(const PolyMesh& mesh, const Probe& probe, Label f) {
+    const Label meshFace = probe.faces[index(f)];
+    const auto& cells = probe.faceCells[index(f)];
+    if (meshFace < 0 || (cells[0] >= 0 && cells[1] >= 0)) return -1;
+    if (cells[0] < 0) return mesh.owner[index(meshFace)];
+    return mesh.isInternal(meshFace) ? mesh.neighbour[index(meshFace)] : -1;
 }
 
 } // namespace
@@ -156,11 +115,10 @@ int windingNumber(const CuttingSurface& cutter, const Vec3& meshPoint) {
     return found[1] == found[2] ? found[1] : found[0];
 }
 
-std::vector<std::int8_t> windNodes(const PolyMesh& mesh,
-                                   const Probe& probe,
-                                   const CuttingSurface& cutter,
-                                   int shift,
-                                   Arrangement& arrangement) {
+void windNodes(const Probe& probe,
+               const CuttingSurface& cutter,
+               int shift,
+               Arrangement& arrangement) {
     WindingSets sets(index(probe.nodeCount()));
     joinEdges(probe, arrangement, sets);
     constexpr int notAsked = INT16_MIN;
@@ -172,16 +130,18 @@ std::vector<std::int8_t> windNodes(const PolyMesh& mesh,
         if (atRoot == notAsked) atRoot = windingNumber(cutter, probe.nodePoints[index(n)]) - number;
         arrangement.winding[index(n)] = static_cast<std::int8_t>(atRoot + number + shift);
     }
+}
 
-    std::vector<std::int8_t> cellWinding(index(mesh.cellCount), unknown);
-    for (const Label c : probe.cells)
-        cellWinding[index(c)] = probed;
-    windNeighbours(mesh, probe, arrangement, cellWinding);
-    sweepCells(mesh, cellWinding);
-    windIslands(mesh, cutter, shift, cellWinding);
-    for (const Label c : probe.cells)
-        cellWinding[index(c)] = 0;
-    return cellWinding;
+void checkFarCells(const PolyMesh& mesh,
+                   const Probe& probe,
+                   const std::vector<std::int8_t>& cellWinding,
+                   const Arrangement& arrangement) {
+    for (Label f = 0; f < probe.faceCount(); ++f) {
+        const Label cell = farCell(mesh, probe, f);
+        const Label node = probe.faceNodes[f][0];
+        if (cell >= 0 && cellWinding[index(cell)] != arrangement.winding[index(node)])
+            failAt(probe.nodePoints[index(node)]);
+    }
 }
 
 } // namespace polymesh

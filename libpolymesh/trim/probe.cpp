@@ -260,7 +260,7 @@ std::vector<std::uint8_t> findFans(const Probe& probe, const std::vector<Box>& t
     return isFan;
 }
 
-void addFacets(const std::vector<std::uint8_t>& isFan, Probe& probe) {
+void divideFaces(const std::vector<std::uint8_t>& isFan, Probe& probe) {
     probe.facetOffsets.assign(1, 0);
     for (Label f = 0; f < probe.faceCount(); ++f) {
         const auto nodes = probe.faceNodes[f];
@@ -354,9 +354,9 @@ void finishEdges(const std::vector<std::uint8_t>& isFan, Probe& probe) {
 
 } // namespace
 
-Probe buildProbe(const PolyMesh& mesh,
-                 const TriSurface& surface,
-                 const std::vector<Box>& triangleBoxes) {
+Probe findProbe(const PolyMesh& mesh,
+                const TriSurface& surface,
+                const std::vector<Box>& triangleBoxes) {
     const TriangleBins bins(surface, meanCellSize(mesh));
     const NearCells nearCells = findNearCells(mesh, bins);
     Probe probe;
@@ -364,11 +364,14 @@ Probe buildProbe(const PolyMesh& mesh,
     dropEmptyCells(findTriangles(mesh, surface, triangleBoxes, bins, nearCells.ranges, probe),
                    probe);
     numberNodes(mesh, probe);
+    return probe;
+}
+
+void addFacets(const std::vector<Box>& triangleBoxes, Probe& probe) {
     const std::vector<std::uint8_t> isFan = findFans(probe, triangleBoxes);
-    addFacets(isFan, probe);
+    divideFaces(isFan, probe);
     numberEdges(probe);
     finishEdges(isFan, probe);
-    return probe;
 }
 
 } // namespace polymesh

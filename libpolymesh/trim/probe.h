@@ -55,11 +55,15 @@ struct Probe {
     Label nodeCount() const { return toLabel(nodePoints.size()); }
 };
 
-/// Finds the cells that the surface may touch. `triangleBoxes` holds the bounding box of each
-/// triangle. Conservative: a cell left out is not touched, however the surface is moved by an
-/// infinitesimal. Cost: O(cells + triangles + pairs found).
-Probe buildProbe(const PolyMesh& mesh,
-                 const TriSurface& surface,
-                 const std::vector<Box>& triangleBoxes);
+/// Finds the cells that the surface may touch, their faces and nodes. `triangleBoxes` holds the
+/// bounding box of each triangle. Conservative: a cell left out is not touched, however the surface
+/// is moved by an infinitesimal. Cost: O(cells + triangles + pairs found).
+Probe findProbe(const PolyMesh& mesh,
+                const TriSurface& surface,
+                const std::vector<Box>& triangleBoxes);
+
+/// Adds the facets and edges of a probe, and the fan centres to its nodes. Needs no mesh: what is
+/// far from the probe may be gone by then. Cost: O(probe).
+void addFacets(const std::vector<Box>& triangleBoxes, Probe& probe);
 
 } // namespace polymesh

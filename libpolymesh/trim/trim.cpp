@@ -19,6 +19,7 @@
 #include "libpolymesh/trim/coincident.h"
 #include "libpolymesh/trim/dropOutside.h"
 #include "libpolymesh/trim/editPart.h"
+#include "libpolymesh/trim/farCells.h"
 #include "libpolymesh/trim/flatFlaps.h"
 #include "libpolymesh/trim/loops.h"
 #include "libpolymesh/trim/nodes.h"
@@ -187,15 +188,18 @@ Cut cutMesh(PolyMesh mesh,
     const TriSurface& surface = *cutter.surface;
     result.summary.adjusted = adjusted.counts;
     options.onStage("candidates");
-    Probe probe = buildProbe(mesh, surface, cutter.triangleBoxes);
+    const int shift = options.keep == Keep::outside ? 1 : 0;
+    Probe probe = findProbe(mesh, surface, cutter.triangleBoxes);
     const std::vector<SettledNode> settled = probedNodes(probe, adjusted.settled);
+    std::vector<std::int8_t> cellWinding = windFarCells(mesh, probe, cutter, shift);
+    dropOutside(mesh, probe, cellWinding);
+    addFacets(cutter.triangleBoxes, probe);
 
     options.onStage("edges");
     Arrangement arrangement;
     crossEdges(probe, cutter, arrangement);
-    std::vector<std::int8_t> cellWinding =
-        windNodes(mesh, probe, cutter, options.keep == Keep::outside ? 1 : 0, arrangement);
-    dropOutside(mesh, probe, cellWinding);
+    windNodes(probe, cutter, shift, arrangement);
+    checkFarCells(mesh, probe, cellWinding, arrangement);
 
     options.onStage("faces");
     pierceFacets(probe, cutter, arrangement);

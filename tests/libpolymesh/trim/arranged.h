@@ -6,6 +6,7 @@
 
 #include "libpolymesh/surface/triangleBoxes.h"
 #include "libpolymesh/trim/arrangement.h"
+#include "libpolymesh/trim/farCells.h"
 #include "libpolymesh/trim/loops.h"
 #include "libpolymesh/trim/nodes.h"
 #include "tests/support/surfaces.h"
@@ -21,9 +22,13 @@ struct Arranged {
         : mesh(std::move(initial)),
           surface(keepsOutside ? inverted(std::move(part)) : std::move(part)),
           cutter{&surface, pairEdges(surface), triangleBoxes(surface)},
-          probe(buildProbe(mesh, surface, cutter.triangleBoxes)) {
+          probe(findProbe(mesh, surface, cutter.triangleBoxes)) {
+        const int shift = keepsOutside ? 1 : 0;
+        cellWinding = windFarCells(mesh, probe, cutter, shift);
+        addFacets(cutter.triangleBoxes, probe);
         crossEdges(probe, cutter, arrangement);
-        cellWinding = windNodes(mesh, probe, cutter, keepsOutside ? 1 : 0, arrangement);
+        windNodes(probe, cutter, shift, arrangement);
+        checkFarCells(mesh, probe, cellWinding, arrangement);
         pierceFacets(probe, cutter, arrangement);
         locateVertices(mesh, probe, cutter, arrangement);
         positions = placePoints(probe, cutter, arrangement);

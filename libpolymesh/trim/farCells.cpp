@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: The polymesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "libpolymesh/trim/farCells.h"
+
+#include "libpolymesh/base/parallel.h"
+#include "libpolymesh/trim/nodes.h"
+
+#include <algorithm>
+
+namespace polymesh {
+
+namespace {
+
+/// Regions of cells, each known by its lowest cell.
+class Regions {
+public:
+    explicit Regions(Label cellCount) : lower_(index(cellCount)) {
+        parallelFor(cellCount, [&](Label c) { lower_[index(c)] = c; });
+    }
+
+    void join(Label a, Label b) {
+        a = lowest(a);
+        b = lowest(b);
+        if (a != b) lower_[index(std::max(a, b))] = std::min(a, b);
+    }
+
+    /// Lets every cell point to its lowest one straight away.
+    void flatten() {
+        for (Label& lower : lower_)
+            lower = lower_[index(lower)]; // that one has been done
+    }
+
+    Label operator[](Label cell) const { return lower_[index(cell)]; }
+
+private:
+    Label lowest(Label cell) {
+        while (lower_[index(cell)] != cell) {
+            Label& lower = lower_[index(cell)];
+            lower = lower_[index(lower)];
+            cell = lower;
+        }
+        return cell;
+    }
+
+    std::vector<Label> lower_;
+};
+
+/// Joins the cells outside the probe. Internal faces are in the order of their owners, so that
+/// blocks of cells can take the faces that they own at the same time; faces whose neighbour belongs
+/// to a later block come afterwards.
+Regions joinFarCells(const PolyMesh& mesh, const Probe& probe) {
+    Regions regions(mesh.cellCount);
+    const auto isFar = [&](Label c) { return probe.localCell[index(c)] < 0; };
+    const auto owners = std::span(mesh.owner).first(mesh.neighbour.size());
+    const bool isOrdered = std::ranges::is_sorted(owners); // else all in one block
+    constexpr Label blocks = 16;
+    const Label blockSize = isOrdered ? mesh.cellCount / blocks + 1 : std::max(mesh.cellCount, 1);
+    std::array<std::vector<Label>, blocks + 1> crossing;
+    parallelBlocks(mesh.cellCount, blockSize, [&](Label block, Label first, Label last) {
+        const auto begin = isOrdered ? std::ranges::lower_bound(owners, first) : owners.begin();
+        const auto end = isOrdered ? std::ranges::lower_bound(owners, last) : owners.end();
+        for (auto owner = begin; owner != end; ++owner) {
+            const auto f = static_cast<std::size_t>(owner - owners.begin());
+            if (!isFar(*owner) || !isFar(mesh.neighbour[f])) continue;
+            if (mesh.neighbour[f] < last)
+                regions.join(*owner, mesh.neighbour[f]);
+            else
+                crossing[index(block)].push_back(toLabel(f));
+        }
+    });
+    for (const auto& faces : crossing)
+        for (const Label f : faces)
+            regions.join(mesh.owner[index(f)], mesh.neighbour[index(f)]);
+    regions.flatten();
+    return regions;
+}
+
+/// A point of the lowest cell of each region, as (cell, point).
+std::vector<std::pair<Label, Label>>
+pointsOfRegions(const PolyMesh& mesh, const Probe& probe, const Regions& regions) {
+    std::vector<std::uint8_t> isWanted(index(mesh.cellCount), 0);
+    parallelFor(mesh.cellCount, [&](Label c) {
+        isWanted[index(c)] = probe.localCell[index(c)] < 0 && regions[c] == c;
+    });
+    std::vector<std::pair<Label, Label>> points;
+    const auto visit = [&](Label cell, Label f) {
+        if (isWanted[index(cell)] == 0) return;
+        isWanted[index(cell)] = 0;
+        points.emplace_back(cell, mesh.faces[f][0]);
+    };
+    for (Label f = 0; f < mesh.faceCount(); ++f) {
+        visit(mesh.owner[index(f)], f);
+        if (mesh.isInternal(f)) visit(mesh.neighbour[index(f)], f);
+    }
+    return points;
+}
+
+} // namespace
+
+std::vector<std::int8_t>
+windFarCells(const PolyMesh& mesh, const Probe& probe, const CuttingSurface& cutter, int shift) {
+    const Regions regions = joinFarCells(mesh, probe);
+    const auto points = pointsOfRegions(mesh, probe, regions);
+    std::vector<std::int8_t> winding(index(mesh.cellCount), 0);
+    parallelBlocks(toLabel(points.size()), 1, [&](Label i, Label, Label) {
+        const auto& [cell, point] = points[index(i)];
+        winding[index(cell)] =
+            static_cast<std::int8_t>(windingNumber(cutter, mesh.points[index(point)]) + shift);
+    });
+    parallelFor(mesh.cellCount, [&](Label c) {
+        if (regions[c] != c) winding[index(c)] = winding[index(regions[c])];
+    });
+    return winding;
+}
+
+} // namespace polymesh

@@ -38,14 +38,15 @@ private:
         });
         renumberPatches(faces);
         renumberProbe(faces);
-        std::vector<Label> owner(index(faces.count()));
-        std::vector<Label> neighbour(index(faces.countBefore(oldInternal)));
-        faces.forEach([&](Label f, Label to) {
-            owner[index(to)] = numberOf(mesh_.owner[index(f)]);
-            if (f < oldInternal) neighbour[index(to)] = numberOf(mesh_.neighbour[index(f)]);
-        });
-        mesh_.owner = std::move(owner);
-        mesh_.neighbour = std::move(neighbour);
+        const auto newCells = [&](const std::vector<Label>& cells, Label oldCount) {
+            std::vector<Label> kept(index(faces.countBefore(oldCount)));
+            faces.forEach([&](Label f, Label to) {
+                if (f < oldCount) kept[index(to)] = numberOf(cells[index(f)]);
+            });
+            return kept;
+        };
+        mesh_.neighbour = newCells(mesh_.neighbour, oldInternal);
+        mesh_.owner = newCells(mesh_.owner, mesh_.faceCount());
         mesh_.faces = rowsOf(faces);
     }
 

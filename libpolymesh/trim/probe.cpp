@@ -19,6 +19,7 @@ namespace polymesh {
 namespace {
 
 using Range = TriangleBins::Range;
+using PackedIndex = std::array<std::int16_t, 3>; // there is one for each point of the mesh
 using Polygon = boost::container::small_vector<Vec3, 8>;
 
 /// Whether the triangle's plane misses the box by more than rounding can hide.
@@ -49,13 +50,14 @@ struct NearCells {
 /// The range of bins of every cell. Internal faces are in the order of their owners, so that blocks
 /// of cells can take the faces that they own at the same time; faces whose neighbour belongs to a
 /// later block, and the boundary's, come afterwards.
-std::vector<Range> rangesOfCells(const PolyMesh& mesh,
-                                 const std::vector<TriangleBins::Index>& binOf) {
+std::vector<Range> rangesOfCells(const PolyMesh& mesh, const std::vector<PackedIndex>& binOf) {
     std::vector<Range> ranges(index(mesh.cellCount));
     const auto rangeOf = [&](Label f) {
         Range range;
-        for (const Label p : mesh.faces[f])
-            range.add(binOf[index(p)]);
+        for (const Label p : mesh.faces[f]) {
+            const PackedIndex& bin = binOf[index(p)];
+            range.add(TriangleBins::Index{bin[0], bin[1], bin[2], 0});
+        }
         return range;
     };
     const auto owners = std::span(mesh.owner).first(mesh.neighbour.size());
@@ -88,9 +90,11 @@ std::vector<Range> rangesOfCells(const PolyMesh& mesh,
 }
 
 NearCells findNearCells(const PolyMesh& mesh, const TriangleBins& bins) {
-    std::vector<TriangleBins::Index> binOf(mesh.points.size());
-    parallelFor(mesh.pointCount(),
-                [&](Label p) { binOf[index(p)] = bins.binOf(mesh.points[index(p)]); });
+    std::vector<PackedIndex> binOf(mesh.points.size());
+    parallelFor(mesh.pointCount(), [&](Label p) {
+        const TriangleBins::Index bin = bins.binOf(mesh.points[index(p)]);
+        binOf[index(p)] = {bin[0], bin[1], bin[2]};
+    });
     std::vector<Range> ranges = rangesOfCells(mesh, binOf);
     NearCells cells;
     cells.marked.resize(index(mesh.cellCount));

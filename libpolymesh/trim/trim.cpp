@@ -177,16 +177,20 @@ std::vector<Box> findBadPlaces(EditPart& part, bool isOpen) {
     return places;
 }
 
-/// Trims a mesh whose nodes have been adjusted.
-Cut cutMesh(PolyMesh mesh,
-            const CuttingSurface& cutter,
-            const SurfaceFeatures& features,
-            const AdjustedNodes& adjusted,
-            const TrimOptions& options) {
-    Cut cut;
-    Trimmed& result = cut.trimmed;
+/// The pieces of the cells as the surface cuts them, before clean-up.
+struct Pieces {
+    EditPart part;
+    Label holedFaces = 0;
+    bool mayTouch = false; // the surface may lie on faces of the mesh
+};
+
+/// Finds the pieces; cells that are far outside go from the mesh.
+Pieces cutCells(PolyMesh& mesh,
+                const CuttingSurface& cutter,
+                const SurfaceFeatures& features,
+                const AdjustedNodes& adjusted,
+                const TrimOptions& options) {
     const TriSurface& surface = *cutter.surface;
-    result.summary.adjusted = adjusted.counts;
     options.onStage("candidates");
     const int shift = options.keep == Keep::outside ? 1 : 0;
     Probe probe = findProbe(mesh, surface, cutter.triangleBoxes);
@@ -206,7 +210,6 @@ Cut cutMesh(PolyMesh mesh,
     locateVertices(mesh, probe, cutter, arrangement);
     PointPositions positions = placePoints(probe, cutter, arrangement);
     FaceLoops loops = walkFaces(probe, arrangement, positions);
-    result.summary.holedFaces = loops.holeCount;
 
     options.onStage("cells");
     const CellPieces pieces = cutTriangles(probe, cutter, arrangement);
@@ -224,23 +227,40 @@ Cut cutMesh(PolyMesh mesh,
     options.onStage("clean up");
     const auto joined = pointsAtNodes(probe, cutter, features, {arrangement, positions}, settled);
     placeSettled(settled, mesh, probe, positions);
-    EditPart part = buildEditPart({mesh,
-                                   probe,
-                                   cutter,
-                                   arrangement,
-                                   positions,
-                                   loops,
-                                   boundary,
-                                   cells,
-                                   touchedRegions(mesh, probe, cutter, positions, loops),
-                                   cellWinding,
-                                   cellSizes,
-                                   settled,
-                                   options.minEdge},
-                                  features,
-                                  mergeCoincident(probe, cutter, arrangement, joined));
+    const TrimResult found{mesh,
+                           probe,
+                           cutter,
+                           arrangement,
+                           positions,
+                           loops,
+                           boundary,
+                           cells,
+                           touchedRegions(mesh, probe, cutter, positions, loops),
+                           cellWinding,
+                           cellSizes,
+                           settled,
+                           options.minEdge};
+    return {
+        buildEditPart(found, features, mergeCoincident(probe, cutter, arrangement, joined)),
+        loops.holeCount,
+        mayTouch(probe, cutter, arrangement),
+    };
+}
+
+/// Trims a mesh whose nodes have been adjusted.
+Cut cutMesh(PolyMesh mesh,
+            const CuttingSurface& cutter,
+            const SurfaceFeatures& features,
+            const AdjustedNodes& adjusted,
+            const TrimOptions& options) {
+    Cut cut;
+    Trimmed& result = cut.trimmed;
+    const TriSurface& surface = *cutter.surface;
+    auto [part, holedFaces, mayTouch] = cutCells(mesh, cutter, features, adjusted, options);
+    result.summary.adjusted = adjusted.counts;
+    result.summary.holedFaces = holedFaces;
     try {
-        if (mayTouch(probe, cutter, arrangement)) tidyTouchingFaces(part, result.summary);
+        if (mayTouch) tidyTouchingFaces(part, result.summary);
         tidy(part, options, result.summary);
     } catch (const WorkError&) {
         if (adjusted.moved.empty()) throw;

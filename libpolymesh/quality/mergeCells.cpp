@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <array>
 #include <deque>
+#include <iterator>
+#include <optional>
 
 namespace polymesh {
 
@@ -55,9 +57,57 @@ bool isSmall(MeshEditor& editor, Label c, double minVolume) {
     return editor.cellGeometry(c).volume < minVolume * cell.size * cell.size * cell.size;
 }
 
-bool isHuge(MeshEditor& editor, Label cell) {
-    const double size = editor.cell(cell).size;
-    return editor.cellGeometry(cell).volume > largestMerged * size * size * size;
+bool wouldBeHuge(MeshEditor& editor, Label from, Label into) {
+    const double size = editor.cell(into).size;
+    return editor.cellGeometry(from).volume + editor.cellGeometry(into).volume >
+           largestMerged * size * size * size;
+}
+
+/// The two cells and those that have faces with both, ascending: the cells whose shape a merge
+/// usually changes.
+std::vector<Label> commonRegion(const MeshEditor& editor, Label a, Label b) {
+    std::vector<Label> region{a, b};
+    const std::array<Label, 1> one{a};
+    const std::array<Label, 1> two{b};
+    const std::vector<Label> roundA = withNeighbours(editor, one);
+    const std::vector<Label> roundB = withNeighbours(editor, two);
+    std::set_intersection(
+        roundA.begin(), roundA.end(), roundB.begin(), roundB.end(), std::back_inserter(region));
+    sortUnique(region);
+    return region;
+}
+
+/// Merges a cell into another; true if that makes none of the cells in the region worse. Nothing
+/// when it has changed the shape of others: these are in the region then.
+std::optional<bool>
+tryMerge(MeshEditor& editor, Label from, Label into, std::vector<Label>& region) {
+    const Badness before = badnessOf(editor, region);
+    const MeshEditor::Mark mark = editor.mark();
+    if (!mergeCells(editor, from, into)) return false;
+    const std::vector<Label> reshaped = editor.reshapedSince(mark);
+    const std::size_t known = region.size();
+    for (const Label c : reshaped)
+        if (!editor.isFrozen(c) &&
+            !std::binary_search(
+                region.begin(), region.begin() + static_cast<std::ptrdiff_t>(known), c))
+            region.push_back(c);
+    if (region.size() > known) {
+        sortUnique(region);
+        return std::nullopt;
+    }
+    return allBalls(editor, reshaped) && isNoWorse(badnessOf(editor, region), before);
+}
+
+/// Merges a cell into another; true if that makes no cell round them worse.
+bool mergesWell(MeshEditor& editor, Label from, Label into) {
+    std::vector<Label> region = commonRegion(editor, from, into);
+    const MeshEditor::Mark mark = editor.mark();
+    std::optional<bool> isGood = tryMerge(editor, from, into, region);
+    while (!isGood) {
+        editor.undoTo(mark);
+        isGood = tryMerge(editor, from, into, region);
+    }
+    return *isGood;
 }
 
 /// How far the edges of a cell turn the wrong way, in all [rad].
@@ -116,12 +166,9 @@ Label mergeIntoBestPartner(MeshEditor& editor, Label cell) {
     Label best = -1;
     double least = 0;
     for (const MergePartner& partner : mergePartners(editor, cell)) {
-        const std::array<Label, 2> both{cell, partner.cell};
-        const std::vector<Label> region = withNeighbours(editor, both);
-        const Badness before = badnessOf(editor, region);
+        if (wouldBeHuge(editor, cell, partner.cell)) continue;
         const MeshEditor::Mark mark = editor.mark();
-        if (mergeCells(editor, cell, partner.cell) && allBalls(editor, region) &&
-            isNoWorse(badnessOf(editor, region), before) && !isHuge(editor, partner.cell)) {
+        if (mergesWell(editor, cell, partner.cell)) {
             const double concavity = concavityOf(editor, partner.cell);
             if (concavity <= 0) return partner.cell; // convex: the others can do no better
             if (best < 0 || concavity < least - 1e-6) {

@@ -128,6 +128,26 @@ void MeshEditor::undoTo(const Mark& mark) {
     ownListOf_.resize(mark.points);
 }
 
+std::vector<Label> MeshEditor::reshapedSince(const Mark& mark) const {
+    std::vector<Label> cells;
+    const auto add = [&](Label c) {
+        if (c >= 0 && !cell(c).isRemoved()) cells.push_back(c);
+    };
+    for (std::size_t i = mark.changes; i < changes_.size(); ++i) {
+        const EditFace& before = changes_[i].before;
+        const EditFace& now = face(changes_[i].face);
+        const bool isSame = !before.isRemoved() && !now.isRemoved() && before.points == now.points;
+        for (const Label c : {before.owner, before.neighbour})
+            if (!before.isRemoved() && (!isSame || (c != now.owner && c != now.neighbour))) add(c);
+        for (const Label c : {now.owner, now.neighbour})
+            if (!now.isRemoved() && (!isSame || (c != before.owner && c != before.neighbour)))
+                add(c);
+    }
+    std::sort(cells.begin(), cells.end());
+    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+    return cells;
+}
+
 void MeshEditor::setFace(Label f, const EditFace& value) {
     EditFace& face = mesh_.faces[index(f)];
     forgetGeometry(f);

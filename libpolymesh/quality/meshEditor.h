@@ -78,6 +78,10 @@ public:
     Mark mark() const;
     void undoTo(const Mark& mark);
 
+    /// The cells of which a face has come, gone or got other corners since the mark, ascending; a
+    /// face that only has another cell on its far side does not count. Removed cells are left out.
+    std::vector<Label> reshapedSince(const Mark& mark) const;
+
     /// Forgets how to undo.
     void commit() { changes_.clear(); }
 

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/trim/editPart.h"
 
+#include "libpolymesh/base/kept.h"
 #include "libpolymesh/base/parallel.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace polymesh {
@@ -71,29 +73,33 @@ private:
         for (const Label local : trim_.cells.localCell)
             part_.states[index(trim_.probe.cells[index(local)])] = CellState::edited;
         isRing_.assign(index(mesh.cellCount), 0);
-        for (Label f = 0; f < trim_.probe.faceCount(); ++f) {
+        parallelFor(trim_.probe.faceCount(), [&](Label f) {
             const Label meshFace = trim_.probe.faces[index(f)];
             if (meshFace < 0 || trim_.loops.offsets[index(f)] == trim_.loops.offsets[index(f) + 1])
-                continue;
+                return;
             markRing(mesh.owner[index(meshFace)]);
             if (mesh.isInternal(meshFace)) markRing(mesh.neighbour[index(meshFace)]);
-        }
+        });
         const std::vector<std::uint8_t> isNear = nearPoints();
-        for (Label f = 0; f < mesh.faceCount(); ++f) {
+        parallelFor(mesh.faceCount(), [&](Label f) {
             const bool touches =
                 std::ranges::any_of(mesh.faces[f], [&](Label p) { return isNear[index(p)] != 0; });
-            if (!touches) continue;
+            if (!touches) return;
             markRing(mesh.owner[index(f)]);
             if (mesh.isInternal(f)) markRing(mesh.neighbour[index(f)]);
-        }
+        });
     }
 
     void markRing(Label c) {
-        if (part_.states[index(c)] == CellState::inside) isRing_[index(c)] = 1;
+        if (part_.states[index(c)] == CellState::inside)
+            std::atomic_ref<std::uint8_t>(isRing_[index(c)]).store(1, std::memory_order_relaxed);
     }
 
     void addCells() {
         editCell_.assign(index(trim_.mesh.cellCount), -1);
+        const auto ring = std::ranges::count(isRing_, std::uint8_t{1});
+        // About as many frozen cells as there are in the ring follow.
+        part_.mesh.cells.reserve(trim_.cells.localCell.size() + 2 * static_cast<std::size_t>(ring));
         for (const Label local : trim_.cells.localCell) {
             EditCell cell;
             cell.size = trim_.cellSizes[index(local)];
@@ -172,6 +178,9 @@ private:
         editPoint_.assign(trim_.positions.size(), -1);
         editPointOfMesh_.assign(trim_.mesh.points.size(), -1);
         const Label firstRegion = toLabel(trim_.mesh.patches.size());
+        part_.mesh.faces.reserve(
+            index(trim_.loops.polygons.size() + trim_.boundary.polygons.size()) +
+            2 * part_.mesh.cells.size());
         for (Label f = 0; f < probe.faceCount(); ++f) {
             const Label meshFace = probe.faces[index(f)];
             for (Label k = trim_.loops.offsets[index(f)]; k < trim_.loops.offsets[index(f) + 1];
@@ -200,20 +209,30 @@ private:
     /// The faces of ring cells that no probed cell shares.
     void addWholeFaces() {
         const PolyMesh& mesh = trim_.mesh;
-        for (Label f = 0; f < mesh.faceCount(); ++f) {
+        const auto otherOf = [&](Label f) {
+            return mesh.isInternal(f) ? mesh.neighbour[index(f)] : -1;
+        };
+        const auto isRing = [&](Label c) { return c >= 0 && isRing_[index(c)] != 0; };
+        const auto isProbed = [&](Label c) {
+            return c >= 0 && trim_.probe.localCell[index(c)] >= 0;
+        };
+        const Kept wanted(mesh.faceCount(), [&](Label f) {
             const Label own = mesh.owner[index(f)];
-            const Label other = mesh.isInternal(f) ? mesh.neighbour[index(f)] : -1;
-            const bool isOfRing =
-                isRing_[index(own)] != 0 || (other >= 0 && isRing_[index(other)] != 0);
-            const bool isProbed = trim_.probe.localCell[index(own)] >= 0 ||
-                                  (other >= 0 && trim_.probe.localCell[index(other)] >= 0);
-            if (!isOfRing || isProbed) continue;
+            const Label other = otherOf(f);
+            return (isRing(own) || isRing(other)) && !isProbed(own) && !isProbed(other);
+        });
+        std::vector<Label> faces(index(wanted.count()));
+        wanted.forEach([&](Label f, Label to) { faces[index(to)] = f; });
+        const auto sideOfCell = [&](Label c) {
+            return cellOf(c) >= 0 ? cellOf(c) : addCell(c, true);
+        };
+        for (const Label f : faces) {
             EditFace face;
             for (const Label p : mesh.faces[f])
                 face.points.push_back(pointOfMesh(p));
-            face.owner = cellOf(own) >= 0 ? cellOf(own) : addCell(own, true);
-            if (other >= 0)
-                face.neighbour = cellOf(other) >= 0 ? cellOf(other) : addCell(other, true);
+            face.owner = sideOfCell(mesh.owner[index(f)]);
+            if (mesh.isInternal(f))
+                face.neighbour = sideOfCell(mesh.neighbour[index(f)]);
             else
                 face.patch = patchOf(f);
             addFace(std::move(face));

@@ -3,6 +3,7 @@
 #include "libpolymesh/trim/farCells.h"
 
 #include "libpolymesh/base/parallel.h"
+#include "libpolymesh/mesh/internalFaces.h"
 #include "libpolymesh/trim/nodes.h"
 
 #include <algorithm>
@@ -45,32 +46,13 @@ private:
     std::vector<Label> lower_;
 };
 
-/// Joins the cells outside the probe. Internal faces are in the order of their owners, so that
-/// blocks of cells can take the faces that they own at the same time; faces whose neighbour belongs
-/// to a later block come afterwards.
 Regions joinFarCells(const PolyMesh& mesh, const Probe& probe) {
     Regions regions(mesh.cellCount);
-    const auto isFar = [&](Label c) { return probe.localCell[index(c)] < 0; };
-    const auto owners = std::span(mesh.owner).first(mesh.neighbour.size());
-    const bool isOrdered = std::ranges::is_sorted(owners); // else all in one block
-    constexpr Label blocks = 16;
-    const Label blockSize = isOrdered ? mesh.cellCount / blocks + 1 : std::max(mesh.cellCount, 1);
-    std::array<std::vector<Label>, blocks + 1> crossing;
-    parallelBlocks(mesh.cellCount, blockSize, [&](Label block, Label first, Label last) {
-        const auto begin = isOrdered ? std::ranges::lower_bound(owners, first) : owners.begin();
-        const auto end = isOrdered ? std::ranges::lower_bound(owners, last) : owners.end();
-        for (auto owner = begin; owner != end; ++owner) {
-            const auto f = static_cast<std::size_t>(owner - owners.begin());
-            if (!isFar(*owner) || !isFar(mesh.neighbour[f])) continue;
-            if (mesh.neighbour[f] < last)
-                regions.join(*owner, mesh.neighbour[f]);
-            else
-                crossing[index(block)].push_back(toLabel(f));
-        }
+    forInternalFaces(mesh, [&](Label f) {
+        const Label a = mesh.owner[index(f)];
+        const Label b = mesh.neighbour[index(f)];
+        if (probe.localCell[index(a)] < 0 && probe.localCell[index(b)] < 0) regions.join(a, b);
     });
-    for (const auto& faces : crossing)
-        for (const Label f : faces)
-            regions.join(mesh.owner[index(f)], mesh.neighbour[index(f)]);
     regions.flatten();
     return regions;
 }
@@ -82,13 +64,15 @@ pointsOfRegions(const PolyMesh& mesh, const Probe& probe, const Regions& regions
     parallelFor(mesh.cellCount, [&](Label c) {
         isWanted[index(c)] = probe.localCell[index(c)] < 0 && regions[c] == c;
     });
+    auto left = std::ranges::count(isWanted, std::uint8_t{1});
     std::vector<std::pair<Label, Label>> points;
     const auto visit = [&](Label cell, Label f) {
         if (isWanted[index(cell)] == 0) return;
         isWanted[index(cell)] = 0;
+        --left;
         points.emplace_back(cell, mesh.faces[f][0]);
     };
-    for (Label f = 0; f < mesh.faceCount(); ++f) {
+    for (Label f = 0; f < mesh.faceCount() && left > 0; ++f) {
         visit(mesh.owner[index(f)], f);
         if (mesh.isInternal(f)) visit(mesh.neighbour[index(f)], f);
     }

@@ -4,6 +4,7 @@
 
 #include "libpolymesh/base/parallel.h"
 #include "libpolymesh/geometry/predicates.h"
+#include "libpolymesh/mesh/internalFaces.h"
 #include "libpolymesh/trim/triangleBins.h"
 
 #include <boost/container/small_vector.hpp>
@@ -47,9 +48,7 @@ struct NearCells {
     std::vector<Range> ranges;        // of the marked cells, in order
 };
 
-/// The range of bins of every cell. Internal faces are in the order of their owners, so that blocks
-/// of cells can take the faces that they own at the same time; faces whose neighbour belongs to a
-/// later block, and the boundary's, come afterwards.
+/// The range of bins of every cell.
 std::vector<Range> rangesOfCells(const PolyMesh& mesh, const std::vector<PackedIndex>& binOf) {
     std::vector<Range> ranges(index(mesh.cellCount));
     const auto rangeOf = [&](Label f) {
@@ -60,30 +59,11 @@ std::vector<Range> rangesOfCells(const PolyMesh& mesh, const std::vector<PackedI
         }
         return range;
     };
-    const auto owners = std::span(mesh.owner).first(mesh.neighbour.size());
-    const bool isOrdered = std::ranges::is_sorted(owners); // else all in one block
-    constexpr Label blocks = 16;
-    const Label blockSize = isOrdered ? mesh.cellCount / blocks + 1 : mesh.cellCount;
-    std::array<std::vector<Label>, blocks + 1> crossing;
-    parallelBlocks(mesh.cellCount, blockSize, [&](Label block, Label firstCell, Label lastCell) {
-        const auto place = [&](Label cell) {
-            if (!isOrdered) return cell == 0 ? Label{0} : toLabel(owners.size());
-            return toLabel(
-                static_cast<std::size_t>(std::ranges::lower_bound(owners, cell) - owners.begin()));
-        };
-        const Label lastFace = place(lastCell);
-        for (Label f = place(firstCell); f < lastFace; ++f) {
-            const Range range = rangeOf(f);
-            ranges[index(mesh.owner[index(f)])].add(range);
-            if (mesh.neighbour[index(f)] < lastCell)
-                ranges[index(mesh.neighbour[index(f)])].add(range);
-            else
-                crossing[index(block)].push_back(f);
-        }
+    forInternalFaces(mesh, [&](Label f) {
+        const Range range = rangeOf(f);
+        ranges[index(mesh.owner[index(f)])].add(range);
+        ranges[index(mesh.neighbour[index(f)])].add(range);
     });
-    for (const auto& faces : crossing)
-        for (const Label f : faces)
-            ranges[index(mesh.neighbour[index(f)])].add(rangeOf(f));
     for (Label f = mesh.internalFaceCount(); f < mesh.faceCount(); ++f)
         ranges[index(mesh.owner[index(f)])].add(rangeOf(f));
     return ranges;

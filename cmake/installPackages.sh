@@ -10,23 +10,36 @@ test="libgtest-dev clang clang-format-14 clang-tidy-14 libclang-rt-14-dev
   openfoam openfoam-examples libcgal-demo gmsh python3 python3-numpy"
 picture="python3-vtk9 xvfb xauth libgl1-mesa-dri"
 
+# Surfaces that tests and tutorials use come as documentation, which small images of Debian leave out.
+surfaces="openfoam-examples:/usr/share/doc/openfoam-examples/examples/resources/geometry
+  libcgal-demo:/usr/share/doc/libcgal-dev/data.tar.gz"
+
 missing=""
 for package in $build $test $picture; do
     status=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null || true)
     [ "$status" = installed ] || missing="$missing $package"
 done
-[ -n "$missing" ] || exit 0
+again=""
+for surface in $surfaces; do
+    [ -e "${surface#*:}" ] || again="$again ${surface%%:*}"
+done
+[ -n "$missing$again" ] || exit 0
 
 asRoot=""
 if [ "$(id -u)" -ne 0 ]; then
     command -v sudo >/dev/null || {
-        echo "installPackages.sh: needs root to install:$missing" >&2
+        echo "installPackages.sh: needs root (or sudo) to install:$missing$again" >&2
         exit 1
     }
     asRoot="sudo"
 fi
-echo "Installing$missing"
-export DEBIAN_FRONTEND=noninteractive
-$asRoot apt-get update -qq
+echo "Installing$missing$again"
+apt() {
+    # shellcheck disable=SC2086 # no word when root
+    $asRoot env DEBIAN_FRONTEND=noninteractive apt-get -qq "$@"
+}
+apt update
 # shellcheck disable=SC2086 # a list of words on purpose
-$asRoot apt-get install -y -qq --no-install-recommends $missing
+apt install -y --no-install-recommends --reinstall \
+    -o 'Dpkg::Options::=--path-include=/usr/share/doc/openfoam-examples/*' \
+    -o 'Dpkg::Options::=--path-include=/usr/share/doc/libcgal-dev/*' $missing $again

@@ -6,39 +6,15 @@
 
 #include "formats/surfaceIo.h"
 #include "libpolymesh/base/error.h"
+#include "tests/support/temporaryDirectory.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <set>
 #include <string>
-#include <unistd.h>
 
 namespace polymesh::test {
-
-/// A fresh folder that vanishes with the object.
-class TemporaryFolder {
-public:
-    TemporaryFolder() {
-        std::string name = (std::filesystem::temp_directory_path() / "polymeshTestXXXXXX").string();
-        if (mkdtemp(name.data()) != nullptr) path_ = name;
-    }
-
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-
-    const std::filesystem::path& path() const { return path_; }
-
-private:
-    std::filesystem::path path_;
-};
 
 inline std::filesystem::path corpusFile(const std::string& format, const std::string& name) {
     return std::filesystem::path(POLYMESH_CORPUS) / format / name;

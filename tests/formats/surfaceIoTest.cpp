@@ -29,7 +29,7 @@ TriSurface threeRegions() {
 }
 
 TEST(SurfaceIo, givesBackEveryBitOfTextFormats) {
-    const test::TemporaryFolder folder;
+    const test::TemporaryDirectory folder;
     const TriSurface surface = threeRegions();
     for (const char* name : {"part.stl", "part.obj", "part.stl.gz", "part.obj.gz", "PART.OBJ"}) {
         writeSurface(surface, folder / name);
@@ -38,7 +38,7 @@ TEST(SurfaceIo, givesBackEveryBitOfTextFormats) {
 }
 
 TEST(SurfaceIo, givesBackEverythingButTheRegionsOfOffAndPly) {
-    const test::TemporaryFolder folder;
+    const test::TemporaryDirectory folder;
     TriSurface surface = threeRegions();
     for (const char* name : {"part.off", "part.ply", "part.off.gz", "part.ply.gz"}) {
         writeSurface(surface, folder / name);
@@ -50,7 +50,7 @@ TEST(SurfaceIo, givesBackEverythingButTheRegionsOfOffAndPly) {
 }
 
 TEST(SurfaceIo, roundsBinaryStlTo32BitsAndNumbersItsRegions) {
-    const test::TemporaryFolder folder;
+    const test::TemporaryDirectory folder;
     TriSurface surface = threeRegions();
     writeSurface(surface, folder / "part.stlb");
     const TriSurface read = readSurface(folder / "part.stlb");
@@ -64,13 +64,13 @@ TEST(SurfaceIo, roundsBinaryStlTo32BitsAndNumbersItsRegions) {
 }
 
 TEST(SurfaceIo, readsThePackedFileWhenThePlainOneIsMissing) {
-    const test::TemporaryFolder folder;
+    const test::TemporaryDirectory folder;
     writeSurface(test::cuboid(), folder / "part.stl.gz");
     EXPECT_EQ(readSurface(folder / "part.stl").triangleCount(), 12);
 }
 
 TEST(SurfaceIo, saysWhichFileCannotBeRead) {
-    const test::TemporaryFolder folder;
+    const test::TemporaryDirectory folder;
     EXPECT_NE(test::messageOf(folder / "none.stl").find("none.stl: no such file"),
               std::string::npos);
     EXPECT_NE(test::messageOf(folder / "part.step").find("part.step: unknown surface format"),
@@ -81,7 +81,7 @@ TEST(SurfaceIo, saysWhichFileCannotBeRead) {
 }
 
 TEST(SurfaceIo, leavesTheOldFileAndNoOtherWhenItCannotWrite) {
-    const test::TemporaryFolder folder;
+    const test::TemporaryDirectory folder;
     EXPECT_THROW(writeSurface(test::cuboid(), folder / "none/part.stl"), WorkError);
     std::filesystem::create_directories(folder / "part.stl/full"); // cannot be replaced by a file
     EXPECT_THROW(writeSurface(test::cuboid(), folder / "part.stl"), WorkError);
@@ -90,7 +90,7 @@ TEST(SurfaceIo, leavesTheOldFileAndNoOtherWhenItCannotWrite) {
 
 TEST(SurfaceIo, saysWhenTheDiskIsFull) {
     if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
-    const test::TemporaryFolder folder;
+    const test::TemporaryDirectory folder;
     // The temporary sibling's name is known: let it lead to the full device.
     const auto temporary = folder / fmt::format("part.stl.{}.tmp", getpid());
     std::filesystem::create_symlink("/dev/full", temporary);
@@ -119,7 +119,7 @@ TEST(SurfaceIo, readsTheGroupsOfTheMotorBike) {
 
 TEST(SurfaceIo, readsTheMeshesOfCgal) {
     if (!std::filesystem::exists(cgalData)) GTEST_SKIP() << "libcgal-demo is not installed";
-    const test::TemporaryFolder folder;
+    const test::TemporaryDirectory folder;
     const std::string command =
         fmt::format("tar -xzf {} -C {} data/meshes/joint.off data/meshes/spool.off",
                     cgalData.string(),

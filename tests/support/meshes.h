@@ -4,6 +4,7 @@
 
 // Meshes built in code, shared by all tests.
 
+#include "libpolymesh/mesh/cellGeometry.h"
 #include "libpolymesh/mesh/polyMesh.h"
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include <functional>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <random>
 #include <set>
 #include <string>
@@ -251,6 +253,12 @@ inline PolyMesh invertedCell() {
     for (Label face = 0; face < mesh.faceCount(); ++face)
         std::reverse(mesh.faces[face].begin(), mesh.faces[face].end());
     return mesh;
+}
+
+/// The sum of the cells' volumes.
+inline double volumeOf(const PolyMesh& mesh) {
+    const std::vector<double> volumes = computeGeometry(mesh).cellVolumes;
+    return std::accumulate(volumes.begin(), volumes.end(), 0.0);
 }
 
 } // namespace polymesh::test

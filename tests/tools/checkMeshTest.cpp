@@ -6,6 +6,7 @@
 #include "formats/foam/polyMeshIo.h"
 #include "formats/foam/sets.h"
 #include "tests/support/meshes.h"
+#include "tests/support/temporaryDirectory.h"
 
 #include <gtest/gtest.h>
 
@@ -96,8 +97,6 @@ mergeTolerance 1e-6;
 class Case {
 public:
     Case() {
-        std::string name = (fs::temp_directory_path() / "checkMeshTestXXXXXX").string();
-        dir_ = mkdtemp(name.data());
         fs::create_directories(dir_ / "system");
         fs::create_directories(dir_ / "constant");
         write("controlDict", controlDict);
@@ -105,14 +104,6 @@ public:
               "ddtSchemes {} gradSchemes {} divSchemes {} laplacianSchemes {} "
               "interpolationSchemes {} snGradSchemes {}");
         write("fvSolution", "");
-    }
-
-    Case(const Case&) = delete;
-    Case& operator=(const Case&) = delete;
-
-    ~Case() {
-        std::error_code ignored;
-        fs::remove_all(dir_, ignored);
     }
 
     void write(const std::string& dictionary, const std::string& text) const {
@@ -125,21 +116,17 @@ public:
 
     /// Runs a command in the case; its output goes to `log`. Returns the exit status.
     int run(const std::string& command, const std::string& log = "log") const {
-        const std::string line = "cd '" + dir_.string() +
+        const std::string line = "cd '" + dir_.path().string() +
                                  "' && WM_PROJECT_DIR=/usr/share/openfoam " + command + " > " +
                                  log + " 2>&1";
         const int status = std::system(line.c_str());
         return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     }
 
-    std::string text(const std::string& name) const {
-        std::ostringstream all;
-        all << std::ifstream(dir_ / name).rdbuf();
-        return all.str();
-    }
+    std::string text(const std::string& name) const { return test::readText(dir_ / name); }
 
 private:
-    fs::path dir_;
+    test::TemporaryDirectory dir_;
 };
 
 bool hasOpenFoam() {

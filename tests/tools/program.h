@@ -4,6 +4,8 @@
 
 // Runs the built programs as a user does, in a fresh case directory.
 
+#include "tests/support/temporaryDirectory.h"
+
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -20,12 +22,7 @@ struct ProgramResult {
 /// A case directory under the system's temporary folder, removed with the object.
 class TemporaryCase {
 public:
-    TemporaryCase();
-    ~TemporaryCase();
-    TemporaryCase(const TemporaryCase&) = delete;
-    TemporaryCase& operator=(const TemporaryCase&) = delete;
-
-    const std::filesystem::path& dir() const { return dir_; }
+    const std::filesystem::path& dir() const { return dir_.path(); }
 
     /// Writes a file of the case, making its folders.
     void write(const std::filesystem::path& file, std::string_view text) const;
@@ -36,7 +33,7 @@ public:
     ProgramResult run(const std::string& command) const;
 
 private:
-    std::filesystem::path dir_;
+    test::TemporaryDirectory dir_;
 };
 
 } // namespace polymesh::tools

@@ -4,51 +4,11 @@
 
 #include "libpolymesh/base/error.h"
 #include "libpolymesh/mesh/polyMesh.h"
+#include "tests/support/temporaryDirectory.h"
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
-#include <string_view>
 
 namespace polymesh::test {
-
-/// A fresh directory that goes with the object.
-class TemporaryDirectory {
-public:
-    TemporaryDirectory() {
-        std::string name = (std::filesystem::temp_directory_path() / "foam-XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) throw WorkError("no temporary directory");
-        path_ = name;
-    }
-
-    ~TemporaryDirectory() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-
-    TemporaryDirectory(const TemporaryDirectory&) = delete;
-    TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
-
-    const std::filesystem::path& path() const { return path_; }
-
-private:
-    std::filesystem::path path_;
-};
-
-inline std::string readText(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
-
-inline void writeText(const std::filesystem::path& path, std::string_view text) {
-    std::filesystem::create_directories(path.parent_path());
-    std::ofstream file(path, std::ios::binary);
-    file << text;
-}
 
 /// The message of the InputError that `call` throws; says so when it throws none.
 template<class Call>

@@ -7,15 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include <numeric>
-
 namespace polymesh {
 namespace {
-
-double totalVolume(const PolyMesh& mesh) {
-    const std::vector<double> volumes = computeGeometry(mesh).cellVolumes;
-    return std::accumulate(volumes.begin(), volumes.end(), 0.0);
-}
 
 TEST(FaceGeometry, ofATriangleIsItsOwn) {
     const std::vector<Vec3> points{{0, 0, 0}, {3, 0, 0}, {0, 3, 0}};
@@ -58,12 +51,12 @@ TEST(FaceGeometry, withoutExtentHasTheMeanAsItsCentre) {
 }
 
 TEST(CellGeometry, ofStandardShapesHasTheTextbookVolume) {
-    EXPECT_NEAR(totalVolume(test::unitCube()), 1, 1e-15);
-    EXPECT_NEAR(totalVolume(test::tetrahedron()), 1.0 / 6, 1e-15);
-    EXPECT_NEAR(totalVolume(test::pyramid()), 1.0 / 3, 1e-15);
-    EXPECT_NEAR(totalVolume(test::lShapedCell()), 3, 1e-14);
-    EXPECT_NEAR(totalVolume(test::hangingNodes()), 12, 1e-13);
-    EXPECT_NEAR(totalVolume(test::prismFan(6)), 1.5 * std::sqrt(3.0), 1e-14);
+    EXPECT_NEAR(test::volumeOf(test::unitCube()), 1, 1e-15);
+    EXPECT_NEAR(test::volumeOf(test::tetrahedron()), 1.0 / 6, 1e-15);
+    EXPECT_NEAR(test::volumeOf(test::pyramid()), 1.0 / 3, 1e-15);
+    EXPECT_NEAR(test::volumeOf(test::lShapedCell()), 3, 1e-14);
+    EXPECT_NEAR(test::volumeOf(test::hangingNodes()), 12, 1e-13);
+    EXPECT_NEAR(test::volumeOf(test::prismFan(6)), 1.5 * std::sqrt(3.0), 1e-14);
 }
 
 TEST(CellGeometry, ofAPyramidHasItsCentreAtAQuarterOfTheHeight) {
@@ -73,7 +66,7 @@ TEST(CellGeometry, ofAPyramidHasItsCentreAtAQuarterOfTheHeight) {
 }
 
 TEST(CellGeometry, ofAnInvertedCellIsNegative) {
-    EXPECT_NEAR(totalVolume(test::invertedCell()), -1, 1e-15);
+    EXPECT_NEAR(test::volumeOf(test::invertedCell()), -1, 1e-15);
 }
 
 TEST(CellGeometry, ofNothingIsNothing) {
@@ -83,14 +76,14 @@ TEST(CellGeometry, ofNothingIsNothing) {
 
 TEST(MeshGeometry, fillsTheBoxWhateverTheJitter) {
     PolyMesh mesh = test::box(4, 5, 6, {1, 2, 3});
-    EXPECT_NEAR(totalVolume(mesh), 6, 1e-13);
+    EXPECT_NEAR(test::volumeOf(mesh), 6, 1e-13);
     const PolyMesh moved = test::jittered(mesh, 0.05);
     // Volume of the moved boundary by the divergence theorem, cells not involved.
     const MeshGeometry geometry = computeGeometry(moved);
     double boundary = 0;
     for (Label f = moved.internalFaceCount(); f < moved.faceCount(); ++f)
         boundary += dot(geometry.faceAreas[index(f)], geometry.faceCentres[index(f)]) / 3;
-    EXPECT_NEAR(totalVolume(moved), boundary, 1e-12);
+    EXPECT_NEAR(test::volumeOf(moved), boundary, 1e-12);
 }
 
 TEST(MeshGeometry, isEqualForAnyNumberOfThreads) {

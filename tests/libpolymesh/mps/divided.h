@@ -9,22 +9,17 @@
 #include "libpolymesh/mesh/validate.h"
 #include "libpolymesh/mps/midPointSubdivision.h"
 #include "libpolymesh/quality/standardShape.h"
+#include "tests/support/meshes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <utility>
 #include <vector>
 
 namespace polymesh::test {
-
-inline double totalVolume(const PolyMesh& mesh) {
-    const std::vector<double> volumes = computeGeometry(mesh).cellVolumes;
-    return std::accumulate(volumes.begin(), volumes.end(), 0.0);
-}
 
 /// The sum of the area vectors and that of their magnitudes.
 inline std::pair<Vec3, double> patchArea(const PolyMesh& mesh, const Patch& patch) {
@@ -103,8 +98,8 @@ inline Divided dividedByLaw(const PolyMesh& mesh) {
     EXPECT_EQ(result.hexahedra, demanded.hexahedra);
     EXPECT_EQ(result.pyramids, demanded.pyramids);
     EXPECT_EQ(result.inverted.empty(), leastJacobianOfFaces(result.mesh) > leastJacobian);
-    const double volume = totalVolume(mesh);
-    EXPECT_NEAR(totalVolume(result.mesh), volume, 1e-12 * volume);
+    const double volume = volumeOf(mesh);
+    EXPECT_NEAR(volumeOf(result.mesh), volume, 1e-12 * volume);
     for (std::size_t p = 0; p < mesh.patches.size(); ++p) {
         const auto [area, magnitude] = patchArea(mesh, mesh.patches[p]);
         const Vec3 divided = patchArea(result.mesh, result.mesh.patches[p]).first;

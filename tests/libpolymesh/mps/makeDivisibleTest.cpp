@@ -21,8 +21,8 @@ Divisible dividedWell(const PolyMesh& mesh) {
     Divisible work = makeDivisible(mesh);
     EXPECT_TRUE(validate(work.mesh).empty());
     EXPECT_TRUE(work.plan.inverted.empty());
-    const double volume = test::totalVolume(mesh);
-    EXPECT_NEAR(test::totalVolume(work.mesh), volume, 1e-12 * volume);
+    const double volume = test::volumeOf(mesh);
+    EXPECT_NEAR(test::volumeOf(work.mesh), volume, 1e-12 * volume);
     const SubdivisionCounts demanded = demandedCounts(work.mesh);
     SubdivisionPlan plan = work.plan;
     const PolyMesh result = divide(work.mesh, std::move(plan));
@@ -31,7 +31,7 @@ Divisible dividedWell(const PolyMesh& mesh) {
     EXPECT_EQ(shapes[StandardShape::hexahedron], demanded.hexahedra);
     EXPECT_EQ(shapes[StandardShape::pyramid], demanded.pyramids);
     EXPECT_EQ(result.cellCount, demanded.hexahedra + demanded.pyramids);
-    EXPECT_NEAR(test::totalVolume(result), volume, 1e-12 * volume);
+    EXPECT_NEAR(test::volumeOf(result), volume, 1e-12 * volume);
     EXPECT_GT(test::leastJacobianOfFaces(result), leastJacobian);
     for (std::size_t p = 0; p < mesh.patches.size(); ++p) {
         const auto [area, magnitude] = test::patchArea(mesh, mesh.patches[p]);
@@ -96,7 +96,7 @@ TEST(Cones, cellBecomesConesAndZonesGoOn) {
     ASSERT_EQ(coned.faceZones[0].labels.size(), 1U);
     EXPECT_DOUBLE_EQ(faceGeometry(coned.points, coned.faces[coned.faceZones[0].labels[0]]).centre.x,
                      1);
-    EXPECT_NEAR(test::totalVolume(coned), 2, 1e-14);
+    EXPECT_NEAR(test::volumeOf(coned), 2, 1e-14);
 }
 
 } // namespace polymesh

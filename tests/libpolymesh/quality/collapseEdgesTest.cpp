@@ -8,8 +8,6 @@
 
 #include <gtest/gtest.h>
 
-#include <numeric>
-
 namespace polymesh {
 
 namespace {
@@ -27,13 +25,6 @@ Label shortEdges(const EditMesh& mesh, double limit) {
     return count;
 }
 
-Badness totalBadness(EditMesh& mesh) {
-    MeshEditor editor(mesh);
-    std::vector<Label> all(mesh.cells.size());
-    std::iota(all.begin(), all.end(), 0);
-    return badnessOf(editor, all);
-}
-
 TEST(CollapseShortEdges, removesTheShortEdgesOfCutsNearPoints) {
     const std::vector<Vec3> normals{
         {1, 0, 0}, {1, 0.013, 0}, {1, 1, 0.02}, {1, 1, 1}, {1, -0.5, 0.25}};
@@ -42,14 +33,14 @@ TEST(CollapseShortEdges, removesTheShortEdgesOfCutsNearPoints) {
             EditMesh mesh = test::boxOfHexes({4, 4, 4}, 1.0);
             test::cutByPlane(mesh, normal, distance, 6);
             const double volume = test::totalVolume(mesh);
-            const Badness before = totalBadness(mesh);
+            const Badness before = test::totalBadness(mesh);
             const Label shortBefore = shortEdges(mesh, 0.05);
             const Label collapsed = collapseShortEdges(mesh, 0.05);
             EXPECT_EQ(validateEdit(mesh), Defects());
             EXPECT_GE(collapsed, 1);
             EXPECT_LT(shortEdges(mesh, 0.05), shortBefore) << normal.y << ' ' << distance;
             EXPECT_NEAR(test::totalVolume(mesh), volume, 0.05 * 16);
-            EXPECT_TRUE(isNoWorse(totalBadness(mesh), before));
+            EXPECT_TRUE(isNoWorse(test::totalBadness(mesh), before));
         }
 }
 

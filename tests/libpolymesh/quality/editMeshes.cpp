@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editMeshes.h"
 
+#include "libpolymesh/quality/editQuality.h"
 #include "libpolymesh/quality/mergeCells.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace polymesh::test {
@@ -319,6 +321,13 @@ double totalVolume(EditMesh& mesh) {
         if (!editor.cell(c).isRemoved() && !editor.isFrozen(c))
             volume += editor.cellGeometry(c).volume;
     return volume;
+}
+
+Badness totalBadness(EditMesh& mesh) {
+    MeshEditor editor(mesh);
+    std::vector<Label> all(mesh.cells.size());
+    std::iota(all.begin(), all.end(), 0);
+    return badnessOf(editor, all);
 }
 
 Label liveCells(const EditMesh& mesh) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "libpolymesh/quality/editMesh.h"
+#include "libpolymesh/quality/editQuality.h"
 
 #include <array>
 #include <functional>
@@ -33,6 +34,9 @@ void rejoinPieces(EditMesh& mesh);
 
 /// Sum of the volumes of all cells that are not frozen [m^3].
 double totalVolume(EditMesh& mesh);
+
+/// Of all cells together.
+Badness totalBadness(EditMesh& mesh);
 
 Label liveCells(const EditMesh& mesh);
 Label liveFaces(const EditMesh& mesh);

@@ -10,20 +10,11 @@
 
 #include <gtest/gtest.h>
 
-#include <numeric>
-
 namespace polymesh {
 
 namespace {
 
 using Defects = std::vector<std::string>;
-
-Badness totalBadness(EditMesh& mesh) {
-    MeshEditor editor(mesh);
-    std::vector<Label> all(mesh.cells.size());
-    std::iota(all.begin(), all.end(), 0);
-    return badnessOf(editor, all);
-}
 
 TEST(MergeCells, undoesACutExactly) {
     EditMesh mesh = test::boxOfHexes({2, 2, 2}, 1.0);
@@ -80,14 +71,14 @@ TEST(MergeSmallCells, takesSliversAndKeepsVolume) {
         EditMesh mesh = test::boxOfHexes({4, 4, 4}, 1.0);
         test::cutByPlane(mesh, {1, 0.3, 0.2}, distance, 6);
         const double volume = test::totalVolume(mesh);
-        const Badness before = totalBadness(mesh);
+        const Badness before = test::totalBadness(mesh);
         const Label cells = test::liveCells(mesh);
         const Label merged = mergeSmallCells(mesh, 0.1);
         EXPECT_EQ(validateEdit(mesh), Defects());
         EXPECT_EQ(test::liveCells(mesh), cells - merged);
         EXPECT_GT(merged, 0) << distance;
         EXPECT_NEAR(test::totalVolume(mesh), volume, 1e-12 * volume);
-        EXPECT_TRUE(isNoWorse(totalBadness(mesh), before));
+        EXPECT_TRUE(isNoWorse(test::totalBadness(mesh), before));
     }
 }
 

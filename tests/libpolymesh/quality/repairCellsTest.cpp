@@ -9,20 +9,11 @@
 
 #include <gtest/gtest.h>
 
-#include <numeric>
-
 namespace polymesh {
 
 namespace {
 
 using Defects = std::vector<std::string>;
-
-Badness totalBadness(EditMesh& mesh) {
-    MeshEditor editor(mesh);
-    std::vector<Label> all(mesh.cells.size());
-    std::iota(all.begin(), all.end(), 0);
-    return badnessOf(editor, all);
-}
 
 /// A box of cells cut by two planes that leave slivers, thin walls and a sharp edge.
 EditMesh sliverMesh(double distance) {
@@ -34,22 +25,22 @@ EditMesh sliverMesh(double distance) {
 
 TEST(Badness, countsWhatCheckMeshFails) {
     EditMesh mesh = test::boxOfHexes({2, 1, 1}, 1.0);
-    EXPECT_EQ(totalBadness(mesh), Badness());
+    EXPECT_EQ(test::totalBadness(mesh), Badness());
     for (Vec3& p : mesh.points)
         if (p.x == 2) p.x = 1.0 + 1e-5; // a plate: aspect ratio
-    EXPECT_GE(totalBadness(mesh).failures, 1);
+    EXPECT_GE(test::totalBadness(mesh).failures, 1);
     for (Vec3& p : mesh.points)
         if (p.x > 1) p.x = 0.5; // inside out: volume, pyramids, non-orthogonality
-    EXPECT_GE(totalBadness(mesh).failures, 3);
+    EXPECT_GE(test::totalBadness(mesh).failures, 3);
 }
 
 TEST(RepairCells, leavesFewerFailures) {
     for (const double distance : {2.53, 3.01, 3.31, 3.57, 4.02}) {
         EditMesh mesh = sliverMesh(distance);
-        const Badness before = totalBadness(mesh);
+        const Badness before = test::totalBadness(mesh);
         const double volume = test::totalVolume(mesh);
         const RepairCounts counts = repairCells(mesh);
-        const Badness after = totalBadness(mesh);
+        const Badness after = test::totalBadness(mesh);
         EXPECT_EQ(validateEdit(mesh), Defects());
         EXPECT_TRUE(isNoWorse(after, before));
         EXPECT_EQ(counts.bad > 0, before.failures > 0);
@@ -62,11 +53,11 @@ TEST(CleanUp, leavesNothingThatCheckMeshFails) {
     Label repairedMeshes = 0;
     for (const double distance : {2.53, 3.01, 3.31, 3.57, 4.02}) {
         EditMesh mesh = sliverMesh(distance);
-        repairedMeshes += totalBadness(mesh).failures > 0;
+        repairedMeshes += test::totalBadness(mesh).failures > 0;
         const CleanUpCounts counts =
             cleanUp(mesh, test::coincidentPoints(mesh), {.minEdge = 0.05, .minVolume = 0.05});
         EXPECT_EQ(validateEdit(mesh), Defects());
-        EXPECT_EQ(totalBadness(mesh).failures, 0) << distance;
+        EXPECT_EQ(test::totalBadness(mesh).failures, 0) << distance;
         EXPECT_EQ(counts.badCells, 0);
         EXPECT_EQ(counts.brokenCells, 0);
     }

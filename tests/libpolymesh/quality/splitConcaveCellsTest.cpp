@@ -9,8 +9,6 @@
 
 #include <gtest/gtest.h>
 
-#include <numeric>
-
 namespace polymesh {
 
 namespace {
@@ -18,13 +16,6 @@ namespace {
 using Defects = std::vector<std::string>;
 
 constexpr double tolerance = 0.1; // [rad]
-
-Badness totalBadness(EditMesh& mesh) {
-    MeshEditor editor(mesh);
-    std::vector<Label> all(mesh.cells.size());
-    std::iota(all.begin(), all.end(), 0);
-    return badnessOf(editor, all);
-}
 
 Label reflexCount(EditMesh& mesh) {
     MeshEditor editor(mesh);
@@ -130,14 +121,14 @@ TEST(SplitConcaveCells, mendsCellsRoundCavities) {
         EditMesh mesh = boxWithCavity(cavities[i]);
         ASSERT_EQ(validateEdit(mesh), Defects()) << i;
         const double volume = test::totalVolume(mesh);
-        const Badness before = totalBadness(mesh);
+        const Badness before = test::totalBadness(mesh);
         const SplitCounts counts = splitConcaveCells(mesh, tolerance);
         EXPECT_EQ(validateEdit(mesh), Defects()) << i;
         EXPECT_NEAR(test::totalVolume(mesh), volume, 1e-12 * volume) << i;
         EXPECT_GT(before.failures, 0) << i;
         EXPECT_GT(counts.cuts, 0) << i;
         EXPECT_EQ(counts.left, 0) << i;
-        EXPECT_EQ(totalBadness(mesh), Badness()) << i;
+        EXPECT_EQ(test::totalBadness(mesh), Badness()) << i;
     }
 }
 

@@ -16,8 +16,6 @@
 
 #include <gtest/gtest.h>
 
-#include <numeric>
-
 namespace polymesh::test {
 namespace {
 
@@ -49,11 +47,6 @@ PolyMesh paperBox() {
     for (Vec3& p : mesh.points)
         p -= {0.6, 0.6, 0};
     return mesh;
-}
-
-double volumeOf(const PolyMesh& mesh) {
-    const MeshGeometry geometry = computeGeometry(mesh);
-    return std::accumulate(geometry.cellVolumes.begin(), geometry.cellVolumes.end(), 0.0);
 }
 
 /// How many cells have how many faces.

@@ -17,11 +17,8 @@ namespace polymesh::tools {
 
 namespace {
 
-const ToolDescription description{
-    "blockInit", "makes the initial mesh of hexahedra, a box divided into cubes or bricks", {}};
-
 const std::vector<Option> options{
-    {"surface", "FILE", "put the box round this surface (STL, OBJ, OFF, PLY, also .gz)"},
+    surfaceOption("put the box round this surface"),
     {"cellSize", "H", "edge length of the cells round the surface [m]"},
     {"margin",
      "M",
@@ -154,9 +151,11 @@ ExitCode run(ToolRun& tool) {
 
 } // namespace
 
-} // namespace polymesh::tools
-
-int main(int argc, char** argv) {
-    using namespace polymesh::tools;
-    return runTool(argc, argv, description, options, run);
+Tool thisTool() {
+    return {"blockInit",
+            "makes the initial mesh of hexahedra, a box divided into cubes or bricks",
+            options,
+            run};
 }
+
+} // namespace polymesh::tools

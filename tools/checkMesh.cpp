@@ -17,15 +17,10 @@ namespace polymesh::tools {
 
 namespace {
 
-const ToolDescription description{
-    "checkMesh",
-    "checks topology and quality of the mesh by OpenFOAM's definitions and limits",
-    {}};
-
 const std::vector<Option> options{
     {"allTopology", "", "check edges of cells and shared points of faces too"},
     {"allGeometry", "", "check tetrahedra, edges, flatness, determinants, weights and ratios too"},
-    {"surface", "FILE", "compare volume, area and distances with this surface [m]"},
+    surfaceOption("compare volume, area and distances with this surface"),
     {"tetgen", "", "compare volumes of cells, and of the surface, with TetGen's"},
     {"noSets", "", "do not write the offenders to constant/polyMesh/sets"}};
 
@@ -97,9 +92,11 @@ ExitCode run(ToolRun& tool) {
 
 } // namespace
 
-} // namespace polymesh::tools
-
-int main(int argc, char** argv) {
-    using namespace polymesh::tools;
-    return runTool(argc, argv, description, options, run);
+Tool thisTool() {
+    return {"checkMesh",
+            "checks topology and quality of the mesh by OpenFOAM's definitions and limits",
+            options,
+            run};
 }
+
+} // namespace polymesh::tools

@@ -11,32 +11,23 @@
 #include "tools/mpsSplitSets.h"
 #include "tools/toolMain.h"
 
-#include <numbers>
-
 namespace polymesh::tools {
 
 namespace {
 
-const ToolDescription description{
-    "mpsSplit", "divides every cell of the mesh into hexahedra and a few pyramids", {}};
-
 const std::vector<Option> options{
-    {"surface",
-     "FILE",
-     "put the new boundary points onto this closed surface (STL, OBJ, OFF, PLY, also .gz) [m], "
-     "where that inverts nothing"},
+    surfaceOption("put new boundary points, where that inverts nothing, onto this closed surface"),
     {"featureAngle", "DEG", "with -surface: edges sharper than this are kept [deg]; default 30"}};
 
 void project(ToolRun& tool, Divisible& divisible) {
     if (!tool.settings.has("surface")) return;
     const std::string file = tool.surfaceFile(tool.settings.text("surface")).string();
     tool.clock.start("project");
-    const double angle = tool.settings.numberOr(30, "featureAngle", 0, 180);
     reportProjection(tool,
                      projectBoundary(divisible.mesh,
                                      divisible.plan,
                                      readSurface(file),
-                                     angle * std::numbers::pi / 180)); // deg to rad
+                                     tool.settings.angle("featureAngle", 30)));
 }
 
 ExitCode run(ToolRun& tool) {
@@ -65,9 +56,11 @@ ExitCode run(ToolRun& tool) {
 
 } // namespace
 
-} // namespace polymesh::tools
-
-int main(int argc, char** argv) {
-    using namespace polymesh::tools;
-    return runTool(argc, argv, description, options, run);
+Tool thisTool() {
+    return {"mpsSplit",
+            "divides every cell of the mesh into hexahedra and a few pyramids",
+            options,
+            run};
 }
+
+} // namespace polymesh::tools

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 
 namespace polymesh::tools {
 
@@ -77,6 +78,10 @@ const std::vector<Option>& commonOptions() {
     return options;
 }
 
+Option surfaceOption(const std::string& use) {
+    return {"surface", "FILE", use + " (STL, OBJ, OFF, PLY, also .gz) [m]"};
+}
+
 Settings::Settings(std::vector<Option> options) : options_(std::move(options)) {}
 
 void Settings::add(const std::string& name, std::string text, std::string place) {
@@ -124,6 +129,10 @@ double Settings::number(const std::string& name, double least, double most) cons
 double
 Settings::numberOr(double otherwise, const std::string& name, double least, double most) const {
     return has(name) ? number(name, least, most) : otherwise;
+}
+
+double Settings::angle(const std::string& name, double otherwiseDegrees) const {
+    return numberOr(otherwiseDegrees, name, 0, 180) * std::numbers::pi / 180;
 }
 
 std::int64_t

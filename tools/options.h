@@ -29,6 +29,9 @@ struct Option {
 /// The options that every tool has: -case, -dict, -region, -format, -threads, -json, -quiet, ...
 const std::vector<Option>& commonOptions();
 
+/// -surface, which several tools have; `use`: what the tool does with it.
+Option surfaceOption(const std::string& use);
+
 /// The values that were given, each with the place it came from. The first place that gives an
 /// option wins: the command line is added before the dictionary.
 /// The typed getters throw InputError with that place when the text is not what is asked for.
@@ -63,6 +66,9 @@ public:
                     const std::string& name,
                     double least = std::numeric_limits<double>::lowest(),
                     double most = std::numeric_limits<double>::max()) const;
+
+    /// An angle, given in degrees in [0, 180] [rad].
+    double angle(const std::string& name, double otherwiseDegrees) const;
 
     /// A whole number in [least, most].
     std::int64_t integer(const std::string& name, std::int64_t least, std::int64_t most) const;

@@ -65,7 +65,7 @@ fs::path dictionaryOf(const ToolRun& tool, const std::string& name) {
     return inCase;
 }
 
-ToolRun prepare(const ToolDescription& tool, Settings settings) {
+ToolRun prepare(const Tool& tool, Settings settings) {
     const bool quiet = settings.isOn("quiet");
     const bool progress = !quiet && !settings.isOn("noProgress") && isatty(STDERR_FILENO) == 1;
     fs::path dir = existingCase(settings);
@@ -82,9 +82,7 @@ ToolRun prepare(const ToolDescription& tool, Settings settings) {
     return toolRun;
 }
 
-ExitCode runWith(const ToolDescription& tool,
-                 Settings settings,
-                 const std::function<ExitCode(ToolRun&)>& run) {
+ExitCode runWith(const Tool& tool, Settings settings) {
     if (settings.isOn("help")) {
         fmt::print("{}", helpText(tool.name, tool.purpose, settings));
         return ExitCode::success;
@@ -93,7 +91,7 @@ ExitCode runWith(const ToolDescription& tool,
     if (settings.has("threads"))
         limit.emplace(static_cast<std::size_t>(settings.integer("threads", 1, mostThreads)));
     ToolRun toolRun = prepare(tool, std::move(settings));
-    const ExitCode code = run(toolRun);
+    const ExitCode code = tool.run(toolRun);
     finishReport(toolRun, tool.name);
     return code;
 }
@@ -137,15 +135,11 @@ std::uintmax_t bytesIn(const fs::path& directory) {
     return bytes;
 }
 
-int runTool(int argc,
-            char** argv,
-            const ToolDescription& tool,
-            std::vector<Option> options,
-            const std::function<ExitCode(ToolRun&)>& run) {
+int runTool(int argc, char** argv, const Tool& tool) {
     try {
-        Settings settings = settingsOf(std::move(options));
+        Settings settings = settingsOf(tool.options);
         addCommandLine(settings, std::vector<std::string>(argv + 1, argv + argc));
-        const ExitCode code = runWith(tool, std::move(settings), run);
+        const ExitCode code = runWith(tool, std::move(settings));
         if (std::fflush(stdout) != 0) throw WorkError("standard output cannot be written");
         return static_cast<int>(code);
     } catch (const InputError& error) {

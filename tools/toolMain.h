@@ -21,13 +21,6 @@ namespace polymesh::tools {
 
 enum class ExitCode : std::uint8_t { success = 0, failure = 1, usage = 2 };
 
-struct ToolDescription {
-    std::string name;    // also names the dictionary system/<name>Dict
-    std::string purpose; // one sentence for -help
-    /// Dictionary entries that are no options: the tool reads them itself.
-    std::vector<std::string> dictionaryOnly;
-};
-
 /// What a running tool is given, and what it leaves behind.
 struct ToolRun {
     Settings settings;
@@ -62,14 +55,22 @@ struct ToolRun {
 /// The size of all files of a directory together [byte].
 std::uintmax_t bytesIn(const std::filesystem::path& directory);
 
+/// What makes one tool different from another.
+struct Tool {
+    std::string name;            // also names the dictionary system/<name>Dict
+    std::string purpose;         // one sentence for -help
+    std::vector<Option> options; // its own; all tools have the common ones
+    std::function<ExitCode(ToolRun&)> run;
+    /// Dictionary entries that are no options: the tool reads them itself.
+    std::vector<std::string> dictionaryOnly = {};
+};
+
+/// The tool that a program is. Each program defines it; main.cpp, the same for all, runs it.
+Tool thisTool();
+
 /// Runs a tool and returns its exit status: reads the command line and the dictionary (an option
-/// of the command line wins), calls `run`, writes the report. InputError: status 2; WorkError and
-/// anything else: status 1; in both cases one line "tool: message" on stderr.
-/// `options` are the tool's own; the common ones are added.
-int runTool(int argc,
-            char** argv,
-            const ToolDescription& tool,
-            std::vector<Option> options,
-            const std::function<ExitCode(ToolRun&)>& run);
+/// of the command line wins), calls its function, writes the report. InputError: status 2;
+/// WorkError and anything else: status 1; in both cases one line "tool: message" on stderr.
+int runTool(int argc, char** argv, const Tool& tool);
 
 } // namespace polymesh::tools

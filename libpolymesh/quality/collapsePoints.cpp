@@ -113,13 +113,19 @@ void peelOff(MeshEditor& editor, Label cell, Label part, Label whole, const Edge
     setFaceWalk(editor, whole, walk);
 }
 
+/// Whether the face of `v`, turned against that of `u` at their edge, lies flat on it and may go.
+bool liesFlatOn(MeshEditor& editor, const EdgeUse& v, const EdgeUse& u, double size) {
+    constexpr double roundOff = 1e-10; // of the cell's size
+    if (v.forward == u.forward) return false;
+    if (editor.isFrozenFace(u.face) || editor.isFrozenFace(v.face)) return false;
+    if (norm(editor.faceGeometry(v.face).area) <= roundOff * size * size) return false;
+    return liesOn(editor, v.face, u.face, roundOff * size);
+}
+
 /// Peels one flat part off a cell at an edge that it uses more than twice; the cells whose faces
 /// change are added to `touched`.
 bool peelOnce(MeshEditor& editor, Label cell, std::vector<Label>& touched) {
-    constexpr double roundOff = 1e-10; // of the cell's size
     const double size = editor.cell(cell).size;
-    const double tolerance = roundOff * size;
-    const double leastArea = roundOff * size * size;
     std::vector<EdgeUse> uses;
     collectEdgeUses(editor.mesh(), cell, uses);
     const auto isSameEdge = [](const EdgeUse& u, const EdgeUse& v) {
@@ -129,10 +135,7 @@ bool peelOnce(MeshEditor& editor, Label cell, std::vector<Label>& touched) {
         const auto isHere = [&](const EdgeUse& v) { return isSameEdge(u, v); };
         if (std::count_if(uses.begin(), uses.end(), isHere) <= 2) continue;
         for (const EdgeUse& v : uses) {
-            if (!isHere(v) || v.forward == u.forward) continue;
-            if (editor.isFrozenFace(u.face) || editor.isFrozenFace(v.face)) continue;
-            if (norm(editor.faceGeometry(v.face).area) <= leastArea) continue;
-            if (!liesOn(editor, v.face, u.face, tolerance)) continue;
+            if (!isHere(v) || !liesFlatOn(editor, v, u, size)) continue;
             for (const Label c :
                  {cell, editor.otherCell(u.face, cell), editor.otherCell(v.face, cell)})
                 if (c >= 0) touched.push_back(c);

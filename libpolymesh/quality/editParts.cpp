@@ -259,6 +259,11 @@ std::vector<SeamFace> putBack(Part& part, const Place& place, EditMesh& whole) {
     return seam;
 }
 
+/// The cell on the other side of the face; -1 when there is none.
+Label otherCell(const EditFace& face, Label c) {
+    return face.owner == c ? face.neighbour : face.owner;
+}
+
 } // namespace
 
 CellParts divideIntoSlabs(const EditMesh& mesh, Label leastCells) {
@@ -310,8 +315,7 @@ CellParts alongSeams(const EditMesh& mesh, const CellParts& parts) {
     for (int i = 0; i < seamRings; ++i)
         for (const Label c : std::exchange(ring, {}))
             for (const Label f : mesh.cells[index(c)].faces) {
-                const EditFace& face = mesh.faces[index(f)];
-                const Label other = face.owner == c ? face.neighbour : face.owner;
+                const Label other = otherCell(mesh.faces[index(f)], c);
                 if (other >= 0) add(other, seams.ofCell[index(c)]);
             }
     return seams;

@@ -5,6 +5,7 @@
 #include "libpolymesh/base/parallel.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -37,7 +38,7 @@ public:
     /// Cost: a look at up to 2048 bytes.
     Label countBefore(Label i) const {
         const Label block = i / blockSize;
-        const auto first = flags_.begin() + block * blockSize;
+        const auto first = flags_.begin() + std::ptrdiff_t{block} * blockSize;
         const auto inBlock = std::count(first, flags_.begin() + i, std::uint8_t{1});
         return before_[index(block)] + toLabel(static_cast<std::size_t>(inBlock));
     }

@@ -21,6 +21,7 @@ struct FacePlace {
     Label neighbour = -1; // -1: boundary
     Label source = -1;    // face of the old mesh, or, counted on from there, edited face
 
+    // NOLINTNEXTLINE(modernize-use-nullptr): what the compiler makes of it compares with 0
     auto operator<=>(const FacePlace&) const = default;
 };
 

@@ -357,7 +357,7 @@ void CellGroups::checkShells(const CellInput& input) {
         return;
     }
 
-    struct Shell {
+    struct Shell { // NOLINT(bugprone-exception-escape): boost's move may allocate
         Label faces = 0;
         double volume = 0;
         bool mayBeVoid = true; // surface alone: a void in the cell encloses a negative volume

@@ -66,7 +66,7 @@ struct CellInput {
 /// cell.
 class CellGroups {
 public:
-    struct Face {
+    struct Face { // NOLINT(bugprone-exception-escape): boost's move may allocate
         LoopPolygon points;
         Label region = -1;
         Label group = -1;
@@ -121,7 +121,7 @@ private:
     };
 
     /// A polygon of the cell as it would be.
-    struct CellPolygon {
+    struct CellPolygon { // NOLINT(bugprone-exception-escape): boost's move may allocate
         LoopPolygon points;
         bool isTurned;
         Label group; // -1: of a mesh face

@@ -23,7 +23,7 @@ void cross(const Vec3& a,
     std::uint8_t zeros = 0;
     if (atA.wasZero) zeros |= 1;
     if (atB.wasZero) zeros |= 2;
-    int side = 0;
+    std::int8_t side = 0;
     for (std::size_t i = 0; i < 3; ++i) {
         const MovedSign passing = passingSide(a, b, triangle[i], triangle[(i + 1) % 3]);
         if (i > 0 && passing.sign != side) return;

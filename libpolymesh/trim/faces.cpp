@@ -57,7 +57,7 @@ void pierce(const FacetView& view,
     const MovedSign atQ = sideOfMeshPlane(view.plane, q);
     if (atP.sign == atQ.sign) return;
     std::uint32_t zeros = (atP.wasZero ? 1U : 0U) | (atQ.wasZero ? 2U : 0U);
-    int side = 0;
+    std::int8_t side = 0;
     const std::size_t n = view.points.size();
     for (std::size_t i = 0; i < n; ++i) {
         const MovedSign passing = passingSide(view.points[i], view.points[(i + 1) % n], p, q);

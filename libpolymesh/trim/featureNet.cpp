@@ -19,8 +19,7 @@ public:
         for (const NetEdge& edge : edges)
             points_.insert(points_.end(), edge.ends.begin(), edge.ends.end());
         std::ranges::sort(points_);
-        const auto repeated = std::ranges::unique(points_);
-        points_.erase(repeated.begin(), repeated.end());
+        points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
         edgesOf_.resize(points_.size());
         borderCount_.assign(points_.size(), 0);
         for (std::size_t n = 0; n < points_.size(); ++n) {

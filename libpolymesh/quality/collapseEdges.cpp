@@ -85,26 +85,6 @@ std::vector<ShortEdge> allShortEdges(const MeshEditor& editor, double minEdge) {
     return all;
 }
 
-/// What the boundary faces at an edge say about it.
-struct EdgeKind {
-    bool boundary = false;
-    bool feature = false;
-};
-
-EdgeKind edgeKind(MeshEditor& editor, Label a, Label b) {
-    constexpr double featureCosine = 0.996; // of 5 degrees: the exact angle is the trimmer's affair
-    std::vector<Label> faces = facesOfEdge(editor, a, b);
-    std::erase_if(faces, [&](Label f) { return !editor.face(f).isBoundary(); });
-    EdgeKind kind;
-    kind.boundary = !faces.empty();
-    if (faces.size() != 2) return kind;
-    const Vec3 u = editor.faceGeometry(faces[0]).area;
-    const Vec3 v = editor.faceGeometry(faces[1]).area;
-    kind.feature = editor.face(faces[0]).patch != editor.face(faces[1]).patch ||
-                   dot(u, v) < featureCosine * norm(u) * norm(v);
-    return kind;
-}
-
 // Cells with more faces are too dear to judge at every step; for them only faces round the edge
 // are.
 constexpr std::size_t manyFaces = 64;
@@ -186,6 +166,20 @@ bool anyTurned(MeshEditor& editor, const FaceAreas& before) {
 }
 
 } // namespace
+
+EdgeKind edgeKind(MeshEditor& editor, Label a, Label b) {
+    constexpr double featureCosine = 0.996; // of 5 degrees: the exact angle is the trimmer's affair
+    std::vector<Label> faces = facesOfEdge(editor, a, b);
+    std::erase_if(faces, [&](Label f) { return !editor.face(f).isBoundary(); });
+    EdgeKind kind;
+    kind.boundary = !faces.empty();
+    if (faces.size() != 2) return kind;
+    const Vec3 u = editor.faceGeometry(faces[0]).area;
+    const Vec3 v = editor.faceGeometry(faces[1]).area;
+    kind.feature = editor.face(faces[0]).patch != editor.face(faces[1]).patch ||
+                   dot(u, v) < featureCosine * norm(u) * norm(v);
+    return kind;
+}
 
 bool mayCollapse(MeshEditor& editor, Label from, Label to) {
     const PointRank rank = editor.rank(from);

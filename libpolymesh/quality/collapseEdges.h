@@ -7,6 +7,14 @@
 
 namespace polymesh {
 
+/// What the boundary faces at an edge say about it.
+struct EdgeKind {
+    bool boundary = false; // it is an edge of the boundary
+    bool feature = false;  // its two boundary faces are on two patches, or turn by 5 degrees
+};
+
+EdgeKind edgeKind(MeshEditor& editor, Label a, Label b);
+
 /// True when the point `from` may be moved onto `to` along their edge: no fixed point moves,
 /// corners and points of a feature edge move along feature edges, points of the surface in it.
 bool mayCollapse(MeshEditor& editor, Label from, Label to);

@@ -2,19 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/quality/repairCells.h"
 
-#include "libpolymesh/quality/cellTopology.h"
-#include "libpolymesh/quality/collapseEdges.h"
 #include "libpolymesh/quality/convexDecomposition.h"
-#include "libpolymesh/quality/cutCell.h"
 #include "libpolymesh/quality/editQuality.h"
-#include "libpolymesh/quality/mergeCells.h"
-#include "libpolymesh/quality/polygons.h"
-#include "libpolymesh/quality/splitConcaveCells.h"
+#include "libpolymesh/quality/repairMoves.h"
+#include "libpolymesh/quality/repairSequence.h"
 #include "libpolymesh/quality/starPoint.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <deque>
 #include <map>
@@ -24,303 +19,63 @@ namespace polymesh {
 
 namespace {
 
-constexpr double concaveAngle = 0.1;         // [rad]
-constexpr double longestCollapse = 0.5;      // of the size of the cell
-constexpr double largestVolumeChange = 2e-3; // of the cube of the size of the cell
+constexpr double concaveAngle = 0.1; // [rad]
 
-constexpr double largestMerged = 2.6; // volume of a merged cell, of the cube of its size
-
-enum class Remedy : std::uint8_t { cut, merge, collapse, collapseAll, splitFace };
-
-constexpr std::array<double, 3> shortLimits{
-    0.03, 0.06, 0.12}; // for collapseAll, of the size of the cell
-
-/// A change that might be made, and what it would do to the badness round it.
-struct Proposal {
-    Remedy remedy = Remedy::cut;
-    Label from = -1; // cell or point
-    Label to = -1;   // cell or point; for collapseAll which limit
-    Label face = -1; // for splitFace: the face, and the cell for which it is split
-    Label cell = -1;
-    Label invalid = 0; // the changes: negative is good
-    Label failures = 0;
-    double severity = 0;
-    CellCut loops = {}; // for cut
-};
-
-bool isGood(const Proposal& p) {
-    if (p.invalid != 0) return p.invalid < 0;
-    return p.failures < 0 || (p.failures == 0 && p.severity < -1e-3);
+void countMove(Remedy remedy, RepairCounts& counts) {
+    switch (remedy) {
+    case Remedy::cut:
+        ++counts.cuts;
+        break;
+    case Remedy::merge:
+        ++counts.merges;
+        break;
+    case Remedy::splitFace:
+        ++counts.splits;
+        break;
+    default:
+        ++counts.collapses;
+    }
 }
 
-bool isBetterThan(const Proposal& a, const Proposal& b) {
-    if (a.invalid != b.invalid) return a.invalid < b.invalid;
-    return a.failures != b.failures ? a.failures < b.failures : a.severity < b.severity - 1e-9;
+/// Of the moves that make things better the best; nullptr if there is none.
+const RepairMove* bestOf(const std::vector<RepairMove>& moves) {
+    const RepairMove* best = nullptr;
+    for (const RepairMove& move : moves)
+        if (isGood(move.change) && (!best || isBetterChange(move.change, best->change)))
+            best = &move;
+    return best;
 }
 
-double volumeOf(MeshEditor& editor, std::span<const Label> cells) {
-    double volume = 0;
-    for (const Label c : cells)
-        if (!editor.isFrozen(c) && !editor.cell(c).isRemoved())
-            volume += editor.cellGeometry(c).volume;
-    return volume;
+/// A narrow strip may go on in the next cell: taking it away here moves the trouble there, where
+/// the next step takes it away too. A cut may give the point back: the caller counts.
+bool passesOn(const RepairMove& move) {
+    return move.remedy == Remedy::collapseAll && move.change.invalid <= 0 &&
+           move.change.failures <= 0 && move.change.severity < 0.1;
 }
 
-/// The edges of a cell that are shorter than `limit`, the shortest first.
-std::vector<std::pair<Label, Label>>
-shortEdgesOf(const MeshEditor& editor, Label cell, double limit) {
-    std::vector<EdgeUse> uses;
-    collectEdgeUses(editor.mesh(), cell, uses);
-    std::vector<std::pair<double, std::pair<Label, Label>>> edges;
-    for (std::size_t i = 0; i + 1 < uses.size(); i += 2) {
-        const double length = norm(editor.point(uses[i].low) - editor.point(uses[i].high));
-        if (length < limit) edges.push_back({length, {uses[i].low, uses[i].high}});
-    }
-    std::sort(edges.begin(), edges.end());
-    std::vector<std::pair<Label, Label>> sorted;
-    sorted.reserve(edges.size());
-    for (const auto& edge : edges)
-        sorted.push_back(edge.second);
-    return sorted;
+/// The best change of a cell; where none makes it better and it is allowed, one that passes the
+/// trouble on to the next cell.
+std::optional<RepairMove>
+bestMove(MeshEditor& editor, Label cell, WorkBudget& budget, bool mayPassOn) {
+    const std::vector<RepairMove> plain = plainMoves(editor, cell, budget);
+    if (const RepairMove* best = bestOf(plain)) return *best;
+    const std::vector<RepairMove> further = furtherMoves(editor, cell, budget);
+    if (const RepairMove* best = bestOf(further)) return *best;
+    const auto passing = std::find_if(plain.begin(), plain.end(), passesOn);
+    if (mayPassOn && passing != plain.end()) return *passing;
+    return std::nullopt;
 }
-
-/// Collapses all short edges of a cell that can be, whatever a single one does to the quality: the
-/// two ends of a narrow strip have to go together. Returns the number of edges.
-Label collapseAll(MeshEditor& editor, Label cell, double limit) {
-    Label count = 0;
-    for (const auto& [a, b] : shortEdgesOf(editor, cell, limit * editor.cell(cell).size))
-        for (const auto& ends : {std::pair{a, b}, std::pair{b, a}}) {
-            const Label from = ends.first;
-            const Label to = ends.second;
-            const auto faces = editor.facesOfPoint(from);
-            const bool exists = std::any_of(faces.begin(), faces.end(), [&](Label f) {
-                return hasEdge(editor.face(f).points, from, to);
-            });
-            if (!exists || !mayCollapse(editor, from, to)) continue;
-            const MeshEditor::Mark mark = editor.mark();
-            if (collapseEdge(editor, from, to)) {
-                ++count;
-                break;
-            }
-            editor.undoTo(mark);
-        }
-    return count;
-}
-
-/// Makes a part of a cell that is no cell by itself a part of one of its neighbours, not of
-/// `other`.
-bool givePartAway(MeshEditor& editor, Label part, Label other) {
-    for (const MergePartner& partner : mergePartners(editor, part)) {
-        if (partner.cell == other) continue;
-        const MeshEditor::Mark mark = editor.mark();
-        if (mergeCells(editor, part, partner.cell)) return true;
-        editor.undoTo(mark);
-    }
-    return false;
-}
-
-/// Cuts a face of the cell from a to b. Where the cell has that edge already, it falls apart there:
-/// a thin flap that hangs on the cell by an edge goes to the neighbour beyond it.
-bool splitAtChord(MeshEditor& editor, const Proposal& chord) {
-    const Label cell = chord.cell;
-    const Label other = editor.otherCell(chord.face, cell);
-    if (!splitFace(editor, chord.face, chord.from, chord.to)) return false;
-    const std::array<Label, 2> both{cell, other < 0 ? cell : other};
-    if (allBalls(editor, both)) return true;
-    if (separateParts(editor, cell) != 1) return false;
-    const std::array<Label, 2> parts{cell, editor.cellCount() - 1};
-    for (const Label part : parts)
-        if (editor.cell(part).faces.size() < 4 &&
-            !givePartAway(editor, part, part == cell ? parts[1] : cell))
-            return false;
-    return allBalls(editor, parts) && allBalls(editor, both);
-}
-
-/// Looks for the best change round one cell.
-class RepairSearch {
-public:
-    RepairSearch(MeshEditor& editor, Label cell, WorkBudget& budget)
-        : editor_(editor), cell_(cell), budget_(budget) {}
-
-    /// The best change; where none makes it better and it is allowed, one that passes the trouble
-    /// on to the next cell.
-    std::optional<Proposal> best(bool mayPassOn) {
-        proposeCut(bestReflexCut(editor_, cell_, concaveAngle, budget_));
-        for (const MergePartner& partner : mergePartners(editor_, cell_))
-            proposeMerge(cell_, partner.cell);
-        proposeCollapses();
-        for (std::size_t i = 0; i < shortLimits.size(); ++i)
-            proposeCollapseAll(toLabel(i));
-        if (!best_) proposeCut(bestHalvingCut(editor_, cell_, budget_));
-        if (!best_) proposeFaceSplits();
-        return best_ || !mayPassOn ? best_ : fallback_;
-    }
-
-private:
-    void consider(Proposal proposal, const Badness& before, const Badness& after) {
-        proposal.invalid = after.invalid - before.invalid;
-        proposal.failures = after.failures - before.failures;
-        proposal.severity = after.severity - before.severity;
-        if (isGood(proposal) && (!best_ || isBetterThan(proposal, *best_))) best_ = proposal;
-        // A narrow strip may go on in the next cell: taking it away here moves the trouble there,
-        // where the next step takes it away too. A cut may give the point back: the caller counts.
-        const bool passesOn =
-            proposal.invalid <= 0 && proposal.failures <= 0 && proposal.severity < 0.1;
-        if (proposal.remedy == Remedy::collapseAll && passesOn && !fallback_) fallback_ = proposal;
-    }
-
-    bool isHuge(Label cell) {
-        const double size = editor_.cell(cell).size;
-        return editor_.cellGeometry(cell).volume > largestMerged * size * size * size;
-    }
-
-    void proposeCut(const std::optional<CellCut>& loops) {
-        if (!loops) return;
-        const std::array<Label, 1> one{cell_};
-        std::vector<Label> region = withNeighbours(editor_, one);
-        const Badness before = badnessOf(editor_, region);
-        const MeshEditor::Mark mark = editor_.mark();
-        const Label added = cutCell(editor_, cell_, *loops);
-        if (added >= 0) {
-            region.push_back(added);
-            Proposal proposal{.remedy = Remedy::cut, .from = cell_};
-            proposal.loops = *loops;
-            consider(proposal, before, badnessOf(editor_, region));
-        }
-        editor_.undoTo(mark);
-    }
-
-    bool spend() { return budget_.spend(editor_.cell(cell_).faces.size()); }
-
-    void proposeMerge(Label from, Label into) {
-        const std::size_t faces = editor_.cell(from).faces.size() + editor_.cell(into).faces.size();
-        if (!budget_.spend(faces)) return;
-        const std::array<Label, 2> both{from, into};
-        const std::vector<Label> region = withNeighbours(editor_, both);
-        const Badness before = badnessOf(editor_, region);
-        const MeshEditor::Mark mark = editor_.mark();
-        if (mergeCells(editor_, from, into) && allBalls(editor_, region) && !isHuge(into))
-            consider({Remedy::merge, from, into}, before, badnessOf(editor_, region));
-        editor_.undoTo(mark);
-    }
-
-    /// Bent and concave faces: chords between any two corners.
-    void proposeFaceSplits() {
-        constexpr std::size_t maxCorners = 12;
-        const std::array<Label, 1> one{cell_};
-        const std::vector<Label> region = withNeighbours(editor_, one);
-        const Badness before = badnessOf(editor_, region);
-        const auto faces = editor_.cell(cell_).faces; // a copy: splitting changes the list
-        for (const Label f : faces) {
-            const Polygon polygon = editor_.face(f).points;
-            if (polygon.size() > maxCorners || editor_.isFrozenFace(f)) continue;
-            for (std::size_t i = 0; i < polygon.size(); ++i)
-                for (std::size_t j = i + 2; j < polygon.size() - (i == 0); ++j)
-                    proposeFaceSplit(
-                        {Remedy::splitFace, polygon[i], polygon[j], f, cell_}, region, before);
-        }
-    }
-
-    void proposeFaceSplit(const Proposal& proposal,
-                          std::span<const Label> region,
-                          const Badness& before) {
-        if (!spend()) return;
-        const MeshEditor::Mark mark = editor_.mark();
-        const Label oldCells = editor_.cellCount();
-        if (splitAtChord(editor_, proposal) && allBalls(editor_, region)) {
-            std::vector<Label> all(region.begin(), region.end());
-            if (editor_.cellCount() > oldCells) all.push_back(oldCells);
-            consider(proposal, before, badnessOf(editor_, all));
-        }
-        editor_.undoTo(mark);
-    }
-
-    void proposeCollapses() {
-        std::vector<EdgeUse> uses;
-        collectEdgeUses(editor_.mesh(), cell_, uses);
-        const double size = editor_.cell(cell_).size;
-        for (std::size_t i = 0; i + 1 < uses.size(); i += 2) {
-            const Label low = uses[i].low;
-            const Label high = uses[i].high;
-            if (norm(editor_.point(low) - editor_.point(high)) > longestCollapse * size) continue;
-            proposeCollapse(low, high);
-            proposeCollapse(high, low);
-        }
-    }
-
-    void proposeCollapse(Label from, Label to) {
-        if (!mayCollapse(editor_, from, to) || !spend()) return;
-        const std::vector<Label> region = cellsOfPoint(editor_, from);
-        const Badness before = badnessOf(editor_, region);
-        const double volume = volumeOf(editor_, region);
-        const double size = editor_.cell(cell_).size;
-        const MeshEditor::Mark mark = editor_.mark();
-        if (collapseEdge(editor_, from, to) &&
-            std::abs(volumeOf(editor_, region) - volume) < largestVolumeChange * size * size * size)
-            consider({Remedy::collapse, from, to}, before, badnessOf(editor_, region));
-        editor_.undoTo(mark);
-    }
-
-    void proposeCollapseAll(Label limit) {
-        const double size = editor_.cell(cell_).size;
-        std::vector<Label> region;
-        for (const auto& [a, b] : shortEdgesOf(editor_, cell_, shortLimits[index(limit)] * size))
-            for (const Label p : {a, b}) {
-                const std::vector<Label> cells = cellsOfPoint(editor_, p);
-                region.insert(region.end(), cells.begin(), cells.end());
-            }
-        if (region.empty() || !spend()) return;
-        std::sort(region.begin(), region.end());
-        region.erase(std::unique(region.begin(), region.end()), region.end());
-        const Badness before = badnessOf(editor_, region);
-        const double volume = volumeOf(editor_, region);
-        const MeshEditor::Mark mark = editor_.mark();
-        if (collapseAll(editor_, cell_, shortLimits[index(limit)]) > 0 &&
-            allBalls(editor_, region) &&
-            std::abs(volumeOf(editor_, region) - volume) < largestVolumeChange * size * size * size)
-            consider({Remedy::collapseAll, cell_, limit}, before, badnessOf(editor_, region));
-        editor_.undoTo(mark);
-    }
-
-    MeshEditor& editor_;
-    Label cell_;
-    WorkBudget& budget_;
-    std::optional<Proposal> best_;
-    std::optional<Proposal> fallback_;
-};
 
 /// Makes the change; the cells that should be looked at again are added to `touched`.
 void apply(MeshEditor& editor,
-           const Proposal& proposal,
+           const RepairMove& move,
            RepairCounts& counts,
            std::deque<Label>& touched) {
-    std::vector<Label> cells;
-    if (proposal.remedy == Remedy::cut) {
-        const Label added = cutCell(editor, proposal.from, proposal.loops);
-        cells = {proposal.from, added};
-        ++counts.cuts;
-    } else if (proposal.remedy == Remedy::merge) {
-        mergeCells(editor, proposal.from, proposal.to);
-        cells = {proposal.to};
-        ++counts.merges;
-    } else if (proposal.remedy == Remedy::splitFace) {
-        cells = {proposal.cell};
-        const Label oldCells = editor.cellCount();
-        splitAtChord(editor, proposal);
-        if (editor.cellCount() > oldCells) cells.push_back(oldCells);
-        ++counts.splits;
-    } else if (proposal.remedy == Remedy::collapseAll) {
-        const std::array<Label, 1> one{proposal.from};
-        cells = withNeighbours(editor, one);
-        counts.collapses += collapseAll(editor, proposal.from, shortLimits[index(proposal.to)]);
-    } else {
-        cells = cellsOfPoint(editor, proposal.from);
-        collapseEdge(editor, proposal.from, proposal.to);
-        ++counts.collapses;
-    }
+    const auto cells = makeMove(editor, move);
     editor.commit();
-    std::erase_if(cells, [&](Label c) { return editor.cell(c).isRemoved() || editor.isFrozen(c); });
-    const std::vector<Label> all = withNeighbours(editor, cells);
+    countMove(move.remedy, counts);
+    if (!cells) return; // never: it has been tried
+    const std::vector<Label> all = withNeighbours(editor, *cells);
     touched.insert(touched.end(), all.begin(), all.end());
 }
 
@@ -345,15 +100,14 @@ void mendFailingCells(MeshEditor& editor,
         if (editor.cell(c).isRemoved() || !isFailing(editor, c) || ++visits[c] > maxVisits)
             continue;
         budget.startCell(queue.size());
-        const std::optional<Proposal> proposal =
-            RepairSearch(editor, c, budget).best(passesLeft > 0);
+        const std::optional<RepairMove> proposal = bestMove(editor, c, budget, passesLeft > 0);
         if (!proposal) continue;
         const Label oldCells = editor.cellCount();
         const std::size_t known = queue.size();
         apply(editor, *proposal, counts, queue);
         cells.insert(cells.end(), queue.begin() + static_cast<std::ptrdiff_t>(known), queue.end());
         --changesLeft;
-        passesLeft -= !isGood(*proposal);
+        passesLeft -= !isGood(proposal->change);
         const int soFar = visits[c]; // what c is or becomes a part of has been visited as often
         for (Label part = oldCells; part < editor.cellCount(); ++part)
             visits[part] = soFar;
@@ -370,6 +124,36 @@ std::vector<Label> stillFailing(MeshEditor& editor, std::vector<Label> cells) {
         return editor.cell(c).isRemoved() || editor.isFrozen(c) || !isFailing(editor, c);
     });
     return cells;
+}
+
+/// Cells that no single move has mended: moves that help together.
+/// Cells whose quality may have changed are added.
+void mendBySequences(MeshEditor& editor,
+                     std::vector<Label>& cells,
+                     WorkBudget& budget,
+                     RepairCounts& counts) {
+    constexpr int maxVisits = 4;
+    const std::vector<Label> failing = stillFailing(editor, cells);
+    std::deque<Label> queue(failing.begin(), failing.end());
+    std::map<Label, int> visits;
+    while (!queue.empty() && !budget.isSpent()) {
+        const Label c = queue.front();
+        queue.pop_front();
+        if (editor.cell(c).isRemoved() || !isFailing(editor, c) || ++visits[c] > maxVisits)
+            continue;
+        budget.startCell(queue.size());
+        const RepairSequence sequence = findSequence(editor, c, budget);
+        const Label oldCells = editor.cellCount();
+        const std::vector<Label> changed = makeSequence(editor, sequence);
+        editor.commit();
+        for (const RepairMove& move : sequence.moves)
+            countMove(move.remedy, counts);
+        for (Label part = oldCells; part < editor.cellCount(); ++part)
+            visits[part] = visits[c]; // a part of what has been visited as often
+        const std::vector<Label> round = withNeighbours(editor, changed);
+        queue.insert(queue.end(), round.begin(), round.end());
+        cells.insert(cells.end(), round.begin(), round.end());
+    }
 }
 
 /// Makes a cell into many by `remake` if that leaves the cells round it better.
@@ -426,7 +210,10 @@ RepairCounts repairCells(MeshEditor& editor) {
     std::vector<Label> cells = failingCells(editor);
     WorkBudget budget(40000 + std::int64_t{editor.cellCount()});
     mendFailingCells(editor, cells, budget, counts);
+    WorkBudget budgetOfSequences(20000 + std::int64_t{editor.cellCount()} / 2);
+    mendBySequences(editor, cells, budgetOfSequences, counts);
     remakeFailingCells(editor, cells, budget, counts);
+    mendBySequences(editor, cells, budgetOfSequences, counts);
     counts.left = stillFailing(editor, cells);
     return counts;
 }

@@ -6,6 +6,7 @@
 #include "libpolymesh/quality/collapseEdges.h"
 #include "libpolymesh/quality/cutCell.h"
 #include "libpolymesh/quality/mergeCells.h"
+#include "libpolymesh/quality/mergeFaces.h"
 #include "libpolymesh/quality/movePoint.h"
 #include "libpolymesh/quality/polygons.h"
 #include "libpolymesh/quality/possibleCuts.h"
@@ -27,6 +28,7 @@ constexpr double thin = 0.06; // of the size of the cell: a point nearer to an e
 
 constexpr std::array<double, 3> shortLimits{
     0.03, 0.06, 0.12}; // for collapseAll, of the size of the cell
+constexpr std::array<double, 3> turnLimits{0.01, 0.06, 0.25}; // for unite [rad]
 
 double volumeOf(MeshEditor& editor, std::span<const Label> cells) {
     double volume = 0;
@@ -82,6 +84,56 @@ Label collapseAll(MeshEditor& editor, Label cell, double limit) {
     return count;
 }
 
+/// Makes one of two faces of a cell, and takes both back when that leaves no balls.
+bool uniteSoundly(MeshEditor& editor, Label f, Label g, Label cell) {
+    const Label other = editor.otherCell(f, cell);
+    const std::array<Label, 2> cells{cell, other < 0 ? cell : other};
+    const Polygon ends = editor.face(g).points;
+    const MeshEditor::Mark mark = editor.mark();
+    if (uniteFaces(editor, f, g, cell)) {
+        for (const Label p : ends)
+            dropRedundantPoint(editor, p);
+        if (allBalls(editor, cells)) return true;
+    }
+    editor.undoTo(mark);
+    return false;
+}
+
+/// Whether the faces meet at a feature edge: faces that turn are not united there.
+bool meetAtFeature(MeshEditor& editor, Label f, Label g) {
+    const auto isFeature = [&](Label p) { return editor.rank(p) >= PointRank::feature; };
+    const Polygon& polygon = editor.face(f).points;
+    Label a = polygon.back();
+    for (const Label b : polygon) {
+        if (isFeature(a) && isFeature(b) && hasEdge(editor.face(g).points, a, b)) return true;
+        a = b;
+    }
+    return false;
+}
+
+/// Unites faces of a cell on one patch, or against one other cell, that turn by at most `angle`
+/// [rad]. Returns the number of faces that went.
+Label uniteAll(MeshEditor& editor, Label cell, double angle) {
+    constexpr double sameAtFeatures = 0.02; // [rad]
+    Label count = 0;
+    const auto& faces = editor.cell(cell).faces;
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        for (std::size_t j = 0; j < faces.size(); ++j) {
+            const Label f = faces[i];
+            const Label g = faces[j];
+            if (i == j || !isSameInterface(editor, f, g, cell) ||
+                !isCoplanar(editor, f, g, cell, angle) ||
+                unitedPolygon(editor.face(f).points, editor.face(g).points).empty())
+                continue;
+            if (angle > sameAtFeatures && meetAtFeature(editor, f, g)) continue;
+            if (!uniteSoundly(editor, f, g, cell)) continue;
+            ++count;
+            i = 0; // the list has changed
+            j = 0;
+        }
+    return count;
+}
+
 /// Makes a part of a cell that is no cell by itself a part of one of its neighbours, not of
 /// `other`.
 bool givePartAway(MeshEditor& editor, Label part, Label other) {
@@ -120,6 +172,7 @@ std::vector<Label> cellsChangedBy(const MeshEditor& editor, const RepairMove& mo
     };
     switch (move.remedy) {
     case Remedy::cut:
+    case Remedy::unite:
         cells = {move.from};
         break;
     case Remedy::merge:
@@ -160,6 +213,8 @@ bool change(MeshEditor& editor, const RepairMove& move) {
         return collapseAll(editor, move.from, shortLimits[index(move.to)]) > 0;
     case Remedy::collapse:
         return collapseEdge(editor, move.from, move.to);
+    case Remedy::unite:
+        return uniteAll(editor, move.from, turnLimits[index(move.to)]) > 0;
     case Remedy::slide:
         movePoint(editor, move.from, move.position, editor.rank(move.from));
         return true;
@@ -183,6 +238,25 @@ Badness difference(const Badness& after, const Badness& before) {
     return {after.invalid - before.invalid,
             after.failures - before.failures,
             after.severity - before.severity};
+}
+
+/// Those of the cells that are closed but no balls: cells with a hole through them.
+std::vector<Label> closedCells(const MeshEditor& editor, std::span<const Label> cells) {
+    std::vector<Label> closed;
+    for (const Label c : cells)
+        if (!allBalls(editor, {&c, 1})) closed.push_back(c);
+    return closed;
+}
+
+/// Whether the cells are balls, but for some that need only be closed.
+bool keepShapes(const MeshEditor& editor,
+                std::span<const Label> cells,
+                std::span<const Label> closed) {
+    return std::all_of(cells.begin(), cells.end(), [&](Label c) {
+        return allBalls(editor, {&c, 1}) ||
+               (std::find(closed.begin(), closed.end(), c) != closed.end() &&
+                cellShape(editor.mesh(), c) == CellShape::closed);
+    });
 }
 
 /// Tries moves round one cell.
@@ -235,6 +309,11 @@ public:
         }
     }
 
+    void proposeUnions() {
+        for (std::size_t i = 0; i < turnLimits.size(); ++i)
+            if (spend()) judge({.remedy = Remedy::unite, .from = cell_, .to = toLabel(i)});
+    }
+
     void proposeAllCuts() {
         constexpr std::size_t mostCuts = 6;
         const std::array<Label, 1> one{cell_};
@@ -283,6 +362,7 @@ private:
         std::vector<Label> region = cellsChangedBy(editor_, move);
         if (region.empty()) return;
         if (needsNeighbours(move.remedy)) region = withNeighbours(editor_, region);
+        const std::vector<Label> closed = closedCells(editor_, region);
         const Badness before = badnessOf(editor_, region);
         const double volume = movesPoints(move.remedy) ? volumeOf(editor_, region) : 0;
         const MeshEditor::Mark mark = editor_.mark();
@@ -290,7 +370,7 @@ private:
         if (change(editor_, move)) {
             for (Label c = oldCells; c < editor_.cellCount(); ++c)
                 region.push_back(c);
-            if (allBalls(editor_, region) && isAllowed(move, region, volume)) {
+            if (keepShapes(editor_, region, closed) && isAllowed(move, region, volume)) {
                 move.change = difference(badnessOf(editor_, region), before);
                 moves.push_back(std::move(move));
             }
@@ -358,6 +438,7 @@ std::vector<RepairMove> furtherMoves(MeshEditor& editor, Label cell, WorkBudget&
 
 std::vector<RepairMove> moreMoves(MeshEditor& editor, Label cell, WorkBudget& budget) {
     MoveSearch search(editor, cell, budget);
+    search.proposeUnions();
     search.proposePinches();
     search.proposeSlides();
     search.proposeAllCuts();

@@ -20,8 +20,11 @@ enum class Remedy : std::uint8_t {
     collapseAll, // the edges of the cell `from` below the limit number `to`
     splitFace,   // the face `face` of the cell `cell` from the point `from` to the point `to`
     slide,       // the point `from` to `position`
+    unite,       // faces of the cell `from` that turn by less than the limit number `to`
     pinch        // the point `from`, at `position` then, into the edge from `to` to `end`
 };
+
+constexpr std::size_t remedyCount = 8;
 
 /// A change that might be made, and what it does to the badness round it.
 struct RepairMove {
@@ -50,7 +53,7 @@ std::vector<RepairMove> plainMoves(MeshEditor& editor, Label cell, WorkBudget& b
 /// The ones for cells that those do not mend: the best cut between any faces, chords of faces.
 std::vector<RepairMove> furtherMoves(MeshEditor& editor, Label cell, WorkBudget& budget);
 
-/// Those that move points, and every cut: they may help together with another move.
+/// Those that move points or unite faces, and every cut: they may help together with another move.
 std::vector<RepairMove> moreMoves(MeshEditor& editor, Label cell, WorkBudget& budget);
 
 /// Makes a move. Returns the cells that are changed or new; nothing when the move cannot be made,

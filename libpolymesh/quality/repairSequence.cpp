@@ -12,7 +12,8 @@ namespace polymesh {
 namespace {
 
 constexpr int mostMoves = 3;
-constexpr std::size_t beamWidth = 6;  // states that are gone on from
+constexpr std::size_t beamWidth = 10; // states that are gone on from,
+constexpr int mostOfAKind = 2;        // and those of them that end with the same kind of move
 constexpr std::size_t cellsTried = 2; // failing cells of a state whose moves are tried
 constexpr Label mostFailures = 8;     // more than before: not worth going on from
 
@@ -88,11 +89,16 @@ private:
                        std::tie(b.change.invalid, b.change.failures, b.change.severity);
             });
         std::vector<State> states;
+        std::array<int, remedyCount> ofAKind{};
         for (RepairSequence& sequence : sequences) {
             if (states.size() == beamWidth) break;
+            int& known = ofAKind[static_cast<std::size_t>(sequence.moves.back().remedy)];
+            if (known == mostOfAKind) continue;
             if (!states.empty() && isSameState(states.back().sequence, sequence)) continue;
             std::vector<Label> failing = failingAfter(sequence);
-            if (!failing.empty()) states.push_back({std::move(sequence), std::move(failing)});
+            if (failing.empty()) continue;
+            states.push_back({std::move(sequence), std::move(failing)});
+            ++known;
         }
         return states;
     }

@@ -5,6 +5,7 @@
 #include "libpolymesh/quality/cellTopology.h"
 #include "libpolymesh/quality/collapseEdges.h"
 #include "libpolymesh/quality/collapsePoints.h"
+#include "libpolymesh/quality/cutCell.h"
 #include "libpolymesh/quality/polygons.h"
 
 #include <algorithm>
@@ -23,6 +24,23 @@ PointRank rankOfEdge(MeshEditor& editor, Label a, Label b) {
     const EdgeKind kind = edgeKind(editor, a, b);
     if (kind.feature) return PointRank::feature;
     return kind.boundary ? PointRank::surface : PointRank::interior;
+}
+
+/// Where a cell has an edge from p to another corner of one of its faces, the face is cut there: so
+/// that parts of it can cancel with the faces that lie on them now.
+void splitAtEdgesOf(MeshEditor& editor, Label p) {
+    const std::vector<Label> faces(editor.facesOfPoint(p).begin(), editor.facesOfPoint(p).end());
+    for (const Label f : faces) {
+        const EditFace face = editor.face(f);
+        for (const Label corner : face.points) {
+            if (corner == p || hasEdge(face.points, p, corner)) continue;
+            if (!cellHasEdge(editor, face.owner, p, corner) &&
+                (face.neighbour < 0 || !cellHasEdge(editor, face.neighbour, p, corner)))
+                continue;
+            splitFace(editor, f, p, corner);
+            break;
+        }
+    }
 }
 
 } // namespace
@@ -80,6 +98,7 @@ bool pinchIntoEdge(MeshEditor& editor, Label p, Label a, Label b) {
         walk.insert(cornerAfter(walk, a) == b ? at + 1 : at, into);
         setFaceWalk(editor, f, walk);
     }
+    splitAtEdgesOf(editor, into);
     std::sort(cells.begin(), cells.end());
     cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
     return tidyCells(editor, cells).brokenCells == 0;

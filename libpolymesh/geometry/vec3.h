@@ -21,7 +21,8 @@ struct Vec3 {
     Vec3& operator-=(const Vec3& b) { return *this = {x - b.x, y - b.y, z - b.z}; }
 
     bool operator==(const Vec3&) const = default;
-    auto operator<=>(const Vec3&) const = default; // lexicographic
+    // Lexicographic. NOLINTNEXTLINE(modernize-use-nullptr): what the compiler makes of it
+    auto operator<=>(const Vec3&) const = default;
 };
 
 inline Vec3 operator+(const Vec3& a, const Vec3& b) {

@@ -13,6 +13,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <cstring>
 #include <span>
 
 namespace polymesh {
@@ -20,7 +21,29 @@ namespace polymesh {
 namespace {
 
 using Range = TriangleBins::Range;
-using PackedIndex = std::array<std::int16_t, 3>; // there is one for each point of the mesh
+
+/// The bins of all points, in 6 bytes each: there is one for each point of the mesh.
+class PointBins {
+public:
+    PointBins(const PolyMesh& mesh, const TriangleBins& bins)
+        : values_(3 * mesh.points.size() + 1) {
+        parallelFor(mesh.pointCount(), [&](Label p) {
+            const TriangleBins::Index bin = bins.binOf(mesh.points[index(p)]);
+            std::copy_n(bin.begin(), 3, values_.begin() + std::ptrdiff_t{3} * p);
+        });
+    }
+
+    /// Reads one number too many, which has no meaning, so that it is one load.
+    TriangleBins::Index operator[](Label p) const {
+        TriangleBins::Index bin;
+        std::memcpy(bin.data(), values_.data() + std::size_t{3} * index(p), sizeof(bin));
+        return bin;
+    }
+
+private:
+    std::vector<std::int16_t> values_;
+};
+
 using Polygon = boost::container::small_vector<Vec3, 8>;
 
 /// Whether the triangle's plane misses the box by more than rounding can hide.
@@ -49,14 +72,12 @@ struct NearCells {
 };
 
 /// The range of bins of every cell.
-std::vector<Range> rangesOfCells(const PolyMesh& mesh, const std::vector<PackedIndex>& binOf) {
+std::vector<Range> rangesOfCells(const PolyMesh& mesh, const PointBins& binOf) {
     std::vector<Range> ranges(index(mesh.cellCount));
     const auto rangeOf = [&](Label f) {
         Range range;
-        for (const Label p : mesh.faces[f]) {
-            const PackedIndex& bin = binOf[index(p)];
-            range.add(TriangleBins::Index{bin[0], bin[1], bin[2], 0});
-        }
+        for (const Label p : mesh.faces[f])
+            range.add(binOf[p]);
         return range;
     };
     forInternalFaces(mesh, [&](Label f) {
@@ -70,11 +91,7 @@ std::vector<Range> rangesOfCells(const PolyMesh& mesh, const std::vector<PackedI
 }
 
 NearCells findNearCells(const PolyMesh& mesh, const TriangleBins& bins) {
-    std::vector<PackedIndex> binOf(mesh.points.size());
-    parallelFor(mesh.pointCount(), [&](Label p) {
-        const TriangleBins::Index bin = bins.binOf(mesh.points[index(p)]);
-        binOf[index(p)] = {bin[0], bin[1], bin[2]};
-    });
+    const PointBins binOf(mesh, bins);
     std::vector<Range> ranges = rangesOfCells(mesh, binOf);
     NearCells cells;
     cells.marked.resize(index(mesh.cellCount));

@@ -9,7 +9,7 @@ namespace polymesh {
 namespace {
 
 TEST(Kept, numbersWhatStaysInOrder) {
-    for (const Label count : {0, 1, 2048, 2049, 10000}) {
+    for (const Label count : {0, 1, 256, 8192, 8193, 20000}) {
         const auto isThird = [](Label i) { return i % 3 == 1; };
         const Kept kept(count, isThird);
         std::vector<Label> expected;

@@ -29,14 +29,15 @@ public:
         : values_(3 * mesh.points.size() + 1) {
         parallelFor(mesh.pointCount(), [&](Label p) {
             const TriangleBins::Index bin = bins.binOf(mesh.points[index(p)]);
-            std::copy_n(bin.begin(), 3, values_.begin() + std::ptrdiff_t{3} * p);
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                values_[3 * index(p) + axis] = bin[axis];
         });
     }
 
     /// Reads one number too many, which has no meaning, so that it is one load.
     TriangleBins::Index operator[](Label p) const {
-        TriangleBins::Index bin;
-        std::memcpy(bin.data(), values_.data() + std::size_t{3} * index(p), sizeof(bin));
+        TriangleBins::Index bin{};
+        std::memcpy(&bin, values_.data() + std::size_t{3} * index(p), sizeof(bin));
         return bin;
     }
 

@@ -6,7 +6,6 @@
 #include "libpolymesh/geometry/box.h"
 #include "libpolymesh/surface/triSurface.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -18,8 +17,9 @@ namespace polymesh {
 /// near it); (2) binOf is monotonous in each coordinate, so that a range of bins covers a box.
 class TriangleBins {
 public:
-    /// One number for each direction; a fourth one, without meaning, makes it fit a register.
-    using Index = std::array<std::int16_t, 4>;
+    /// One number for each direction, and one without meaning: a vector of GCC and Clang, so that
+    /// ranges, of which each face of the mesh makes several, are made in one operation.
+    using Index [[gnu::vector_size(8)]] = std::int16_t;
 
     /// A box of bins, both ends included.
     struct Range {
@@ -27,10 +27,8 @@ public:
         Index last{INT16_MIN, INT16_MIN, INT16_MIN, INT16_MIN};
 
         void add(const Index& i) {
-            for (std::size_t axis = 0; axis < i.size(); ++axis) {
-                first[axis] = std::min(first[axis], i[axis]);
-                last[axis] = std::max(last[axis], i[axis]);
-            }
+            first = i < first ? i : first;
+            last = i > last ? i : last;
         }
 
         void add(const Range& r) {

@@ -180,8 +180,8 @@ void writePolyMesh(const PolyMesh& mesh,
         mesh.pointCount(), mesh.cellCount, mesh.faceCount(), mesh.internalFaceCount()};
     PolyMeshWriter writer(polyMeshDirectory, format, counts);
     const std::array<std::function<void()>, 4> tasks{
+        [&] { writer.writeFaces(mesh.faces); }, // the longest first
         [&] { writer.writePoints(mesh.points); },
-        [&] { writer.writeFaces(mesh.faces); },
         [&] { writer.writeOwner(mesh.owner); },
         [&] { writer.writeNeighbour(mesh.neighbour); },
     };

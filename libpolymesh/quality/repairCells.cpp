@@ -126,6 +126,13 @@ std::vector<Label> stillFailing(MeshEditor& editor, std::vector<Label> cells) {
     return cells;
 }
 
+/// A sequence is worth a thousand tries. Where hundreds of cells fail, the mesh is too coarse for
+/// its surface: to mend some of them would help nobody.
+std::int64_t workForSequences(std::size_t failing) {
+    constexpr std::size_t manyFail = 200;
+    return failing > manyFail ? 20000 : 80000;
+}
+
 /// Cells that no single move has mended: moves that help together.
 /// Cells whose quality may have changed are added.
 void mendBySequences(MeshEditor& editor,
@@ -210,7 +217,7 @@ RepairCounts repairCells(MeshEditor& editor) {
     std::vector<Label> cells = failingCells(editor);
     WorkBudget budget(40000 + std::int64_t{editor.cellCount()});
     mendFailingCells(editor, cells, budget, counts);
-    WorkBudget budgetOfSequences(20000 + std::int64_t{editor.cellCount()} / 2);
+    WorkBudget budgetOfSequences(workForSequences(stillFailing(editor, cells).size()));
     mendBySequences(editor, cells, budgetOfSequences, counts);
     remakeFailingCells(editor, cells, budget, counts);
     mendBySequences(editor, cells, budgetOfSequences, counts);

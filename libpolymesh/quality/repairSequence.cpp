@@ -11,7 +11,7 @@ namespace polymesh {
 
 namespace {
 
-constexpr int mostMoves = 3;
+constexpr int mostMoves = 5;
 constexpr std::size_t beamWidth = 10; // states that are gone on from,
 constexpr int mostOfAKind = 2;        // and those of them that end with the same kind of move
 constexpr std::size_t cellsTried = 2; // failing cells of a state whose moves are tried

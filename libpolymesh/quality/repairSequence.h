@@ -12,7 +12,7 @@ struct RepairSequence {
     Badness change; // after - before: negative is good
 };
 
-/// Looks for up to 3 moves of which only all together make the cells round a failing cell better.
+/// Looks for up to 5 moves of which only all together make the cells round a failing cell better.
 /// From each state the moves of the cells that fail in it are tried, and the best few states are
 /// gone on from, also when they are worse than what was there. Empty if nothing helps, or when the
 /// cell has had its share of the budget. Cost: some 1,000 tries.

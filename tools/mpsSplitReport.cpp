@@ -155,7 +155,8 @@ void refuseInvalid(ToolRun& tool, const PolyMesh& mesh) {
                            inverted.front()),
                "invertedCells",
                inverted);
-    require(defects.empty(), "{}: {}", tool.meshDir().string(), defects.front().message);
+    if (!defects.empty())
+        throw InputError(fmt::format("{}: {}", tool.meshDir().string(), defects.front().message));
 }
 
 void reportProjection(ToolRun& tool, const ProjectionCounts& counts) {

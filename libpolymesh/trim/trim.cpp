@@ -31,7 +31,6 @@
 #include "libpolymesh/trim/trimmedCells.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -163,9 +162,8 @@ std::vector<Box> findBadPlaces(EditPart& part, bool isOpen) {
     for (Label c = 0; c < editor.cellCount(); ++c) {
         const EditCell& cell = editor.cell(c);
         if (cell.frozen || cell.isRemoved()) continue;
-        const std::array<Label, 1> one{c};
-        const bool isBad = isOpen ? cellShape(part.mesh, c) == CellShape::broken
-                                  : badnessOf(editor, one).failures > 0;
+        const bool isBad =
+            isOpen ? cellShape(part.mesh, c) == CellShape::broken : isFailing(editor, c);
         if (!isBad) continue;
         Box box;
         for (const Label f : cell.faces)

@@ -4,9 +4,10 @@ set(lib libpolymesh)
 set(upTo_base base)
 set(upTo_geometry ${upTo_base} geometry)
 set(upTo_mesh ${upTo_geometry} mesh)
-set(upTo_surface ${upTo_mesh} surface)
+set(upTo_shapes ${upTo_mesh} shapes)
+set(upTo_surface ${upTo_shapes} surface)
 set(upTo_quality ${upTo_surface} quality)
-foreach(top IN ITEMS initial trim shapes mps) # beside each other: none knows the others
+foreach(top IN ITEMS initial trim mps) # beside each other: none knows the others
   set(upTo_${top} ${upTo_quality} ${top})
 endforeach()
 set(upTo_reference ${upTo_surface} reference) # foreign meshers; only tools may include it

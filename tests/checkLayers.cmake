@@ -26,7 +26,7 @@ foreach(folder IN LISTS folders)
   list(TRANSFORM upTo_${layer} PREPEND libpolymesh/ OUTPUT_VARIABLE allowed_${folder})
 endforeach()
 list(TRANSFORM upTo_surface PREPEND libpolymesh/ OUTPUT_VARIABLE allowed_formats)
-list(APPEND allowed_formats formats)
+list(APPEND allowed_formats libpolymesh/shapes formats) # STAR-CD files are made of these shapes
 list(TRANSFORM libraryLayers PREPEND libpolymesh/ OUTPUT_VARIABLE allowed_tools)
 list(APPEND allowed_tools formats tools)
 

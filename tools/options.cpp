@@ -214,15 +214,28 @@ po::parsed_options parse(const Settings& settings, const std::vector<std::string
                                  didYouMean(settings.options(), bare)));
 }
 
-void addParsed(Settings& settings, const po::parsed_options& parsed) {
+/// Adds one word that stands alone: the value of the first of `words` that has none.
+void addWord(Settings& settings, const std::string& value, const std::vector<std::string>& words) {
+    const auto free =
+        std::ranges::find_if(words, [&](const std::string& name) { return !settings.has(name); });
+    require(free != words.end(),
+            "unexpected word '{}': values follow their option (-help lists the options)",
+            value);
+    settings.add(*free, value, "option -" + *free);
+}
+
+void addParsed(Settings& settings,
+               const po::parsed_options& parsed,
+               const std::vector<std::string>& words) {
     for (const auto& option : parsed.options) {
         const std::string value = option.value.empty() ? "" : option.value.front();
         const bool stray = option.position_key >= 0;
         // Boost takes an unknown option with one dash for a word of its own.
         if (stray && value.size() > 1 && value.starts_with('-')) throwUnknown(settings, value);
-        require(!stray,
-                "unexpected word '{}': values follow their option (-help lists the options)",
-                value);
+        if (stray) {
+            addWord(settings, value, words);
+            continue;
+        }
         const std::string place = "option -" + option.string_key;
         require(!settings.has(option.string_key), "{} is given twice", place);
         settings.add(option.string_key, option.value.empty() ? "yes" : value, place);
@@ -231,9 +244,11 @@ void addParsed(Settings& settings, const po::parsed_options& parsed) {
 
 } // namespace
 
-void addCommandLine(Settings& settings, const std::vector<std::string>& arguments) {
+void addCommandLine(Settings& settings,
+                    const std::vector<std::string>& arguments,
+                    const std::vector<std::string>& words) {
     try {
-        addParsed(settings, parse(settings, arguments));
+        addParsed(settings, parse(settings, arguments), words);
     } catch (const po::unknown_option& error) {
         throwUnknown(settings, error.get_option_name());
     } catch (const po::error& error) {

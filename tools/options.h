@@ -96,9 +96,12 @@ private:
     std::map<std::string, Value> values_;
 };
 
-/// Reads "-name value", "--name value", "-name=value" and switches. Throws InputError for an
-/// unknown option (naming the nearest), a missing value, or a stray word.
-void addCommandLine(Settings& settings, const std::vector<std::string>& arguments);
+/// Reads "-name value", "--name value", "-name=value" and switches; words that belong to no option
+/// are the values of the options `words`, in their order. Throws InputError for an unknown option
+/// (naming the nearest), a missing value, or a stray word.
+void addCommandLine(Settings& settings,
+                    const std::vector<std::string>& arguments,
+                    const std::vector<std::string>& words = {});
 
 /// Adds the entries of a tool's dictionary: every option that may be one, by its own name.
 /// Throws InputError with file and line for any other entry, naming the nearest, except FoamFile

@@ -138,7 +138,7 @@ std::uintmax_t bytesIn(const fs::path& directory) {
 int runTool(int argc, char** argv, const Tool& tool) {
     try {
         Settings settings = settingsOf(tool.options);
-        addCommandLine(settings, std::vector<std::string>(argv + 1, argv + argc));
+        addCommandLine(settings, std::vector<std::string>(argv + 1, argv + argc), tool.words);
         const ExitCode code = runWith(tool, std::move(settings));
         if (std::fflush(stdout) != 0) throw WorkError("standard output cannot be written");
         return static_cast<int>(code);

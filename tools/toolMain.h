@@ -63,6 +63,8 @@ struct Tool {
     std::function<ExitCode(ToolRun&)> run;
     /// Dictionary entries that are no options: the tool reads them itself.
     std::vector<std::string> dictionaryOnly = {};
+    /// Options whose values may stand alone on the command line, in this order.
+    std::vector<std::string> words = {};
 };
 
 /// The tool that a program is. Each program defines it; main.cpp, the same for all, runs it.

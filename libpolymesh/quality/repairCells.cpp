@@ -133,6 +133,15 @@ std::int64_t workForSequences(std::size_t failing) {
     return failing > manyFail ? 20000 : 80000;
 }
 
+/// Whether a neighbour of a cell may not be changed: in a part of a mesh, a cell at its seam, which
+/// is looked at again with what is beyond.
+bool isBesideFrozen(const MeshEditor& editor, Label cell) {
+    const auto& faces = editor.cell(cell).faces;
+    return std::any_of(faces.begin(), faces.end(), [&](Label f) {
+        return editor.isFrozen(editor.otherCell(f, cell));
+    });
+}
+
 /// Cells that no single move has mended: moves that help together.
 /// Cells whose quality may have changed are added.
 void mendBySequences(MeshEditor& editor,
@@ -140,7 +149,8 @@ void mendBySequences(MeshEditor& editor,
                      WorkBudget& budget,
                      RepairCounts& counts) {
     constexpr int maxVisits = 4;
-    const std::vector<Label> failing = stillFailing(editor, cells);
+    std::vector<Label> failing = stillFailing(editor, cells);
+    std::erase_if(failing, [&](Label c) { return isBesideFrozen(editor, c); });
     std::deque<Label> queue(failing.begin(), failing.end());
     std::map<Label, int> visits;
     while (!queue.empty() && !budget.isSpent()) {
@@ -220,7 +230,7 @@ RepairCounts repairCells(MeshEditor& editor) {
     WorkBudget budgetOfSequences(workForSequences(stillFailing(editor, cells).size()));
     mendBySequences(editor, cells, budgetOfSequences, counts);
     remakeFailingCells(editor, cells, budget, counts);
-    mendBySequences(editor, cells, budgetOfSequences, counts);
+    if (counts.remakes > 0) mendBySequences(editor, cells, budgetOfSequences, counts);
     counts.left = stillFailing(editor, cells);
     return counts;
 }

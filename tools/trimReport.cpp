@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/trimReport.h"
 
+#include "libpolymesh/base/parallel.h"
+#include "libpolymesh/mesh/boundingBox.h"
 #include "libpolymesh/mesh/cellGeometry.h"
 #include "libpolymesh/surface/features.h"
 #include "libpolymesh/surface/measure.h"
@@ -84,28 +86,29 @@ void reportFeatures(ToolRun& tool, const TrimRun& run) {
 
 /// Volume [m^3] that the boundary of a mesh holds; faces are fans round the mean of their points.
 double boundedVolume(const PolyMesh& mesh) {
-    const Vec3 apex = boundingBox(mesh.points).centre();
-    long double sum = 0;
-    for (Label f = mesh.internalFaceCount(); f < mesh.faceCount(); ++f) {
-        const auto face = mesh.faces[f];
+    const Vec3 apex = boundingBox(mesh).centre();
+    const Label first = mesh.internalFaceCount();
+    const long double sum = parallelSum(mesh.faceCount() - first, 0.0L, [&](Label i) {
+        const auto face = mesh.faces[first + i];
         Vec3 mean;
         for (const Label p : face)
             mean += mesh.points[index(p)] - apex;
         mean = mean / static_cast<double>(face.size());
-        for (std::size_t i = 0; i < face.size(); ++i)
-            sum += dot(mean,
-                       cross(mesh.points[index(face[i])] - apex,
-                             mesh.points[index(face[(i + 1) % face.size()])] - apex));
-    }
+        long double cones = 0;
+        for (std::size_t k = 0; k < face.size(); ++k)
+            cones += dot(mean,
+                         cross(mesh.points[index(face[k])] - apex,
+                               mesh.points[index(face[(k + 1) % face.size()])] - apex));
+        return cones;
+    });
     return static_cast<double>(sum / 6);
 }
 
 /// Area [m^2] of the faces of a patch.
 double areaOf(const PolyMesh& mesh, const Patch& patch) {
-    double area = 0;
-    for (Label f = patch.start; f < patch.start + patch.size; ++f)
-        area += norm(faceGeometry(mesh.points, mesh.faces[f]).area);
-    return area;
+    return parallelSum(patch.size, 0.0, [&](Label i) {
+        return norm(faceGeometry(mesh.points, mesh.faces[patch.start + i]).area);
+    });
 }
 
 /// One line: a figure of the mesh, and the surface's where it should be the same.
@@ -171,10 +174,7 @@ void reportTime(ToolRun& tool) {
 } // namespace
 
 InitialMesh describe(const PolyMesh& mesh) {
-    return {boundingBox(mesh.points),
-            boundedVolume(mesh),
-            mesh.faceZones.size(),
-            mesh.pointZones.size()};
+    return {boundingBox(mesh), boundedVolume(mesh), mesh.faceZones.size(), mesh.pointZones.size()};
 }
 
 void reportTrim(ToolRun& tool, const TrimRun& run) {

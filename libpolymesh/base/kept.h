@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "libpolymesh/base/freshList.h"
 #include "libpolymesh/base/parallel.h"
 
 #include <algorithm>
@@ -18,7 +19,8 @@ public:
     /// Asks isKept(i) for each element, in parallel.
     template<class IsKept>
     Kept(Label count, IsKept&& isKept)
-        : flags_(index(count)), before_(index((count + stride - 1) / stride) + 1, 0) {
+        : flags_(freshList<std::uint8_t>(index(count))),
+          before_(index((count + stride - 1) / stride) + 1, 0) {
         parallelBlocks(count, blockSize, [&](Label, Label first, Label last) {
             for (Label i = first; i < last; ++i) {
                 flags_[index(i)] = isKept(i) ? 1 : 0;

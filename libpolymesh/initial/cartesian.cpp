@@ -124,21 +124,6 @@ Label CartesianMesh::rowOfInternal(Label face) const {
     return low;
 }
 
-CartesianMesh::Face CartesianMesh::internalFace(Label row, Label offset) const {
-    const Label j = row % ny_;
-    const Label k = row / ny_;
-    const bool hasY = j + 1 < ny_;
-    const bool hasZ = k + 1 < nz_;
-    const Label perCell = 1 + Label{hasY} + Label{hasZ};
-    const Label i = offset / perCell;
-    Label turn = offset % perCell;
-    if (i + 1 == nx_) ++turn; // the last cell of a row has no face across x
-    const int axis = turn == 0 ? 0 : turn == 1 && hasY ? 1 : 2;
-    const Label owner = i + nx_ * row;
-    const Label step = axis == 0 ? 1 : axis == 1 ? nx_ : nx_ * ny_;
-    return {facePoints(axis, {i, j, k}, true), owner, owner + step};
-}
-
 Label CartesianMesh::sideSize(int side) const {
     return side < 2 ? ny_ * nz_ : side < 4 ? nx_ * nz_ : nx_ * ny_;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/mesh/topology.h"
 
+#include "libpolymesh/base/freshList.h"
 #include "libpolymesh/base/parallel.h"
 
 #include <algorithm>
@@ -14,12 +15,12 @@ namespace {
 /// Turns row sizes, counted into offsets[i + 1], into offsets and reserves the values.
 void finishCounting(Rows<Label>& rows) {
     std::partial_sum(rows.offsets.begin(), rows.offsets.end(), rows.offsets.begin());
-    rows.values.resize(index(rows.offsets.back()));
+    rows.values = freshList<Label>(index(rows.offsets.back()));
 }
 
 Rows<Label> countedRows(Label rowCount) {
     Rows<Label> rows;
-    rows.offsets.assign(index(rowCount) + 1, 0);
+    rows.offsets = freshList<Label>(index(rowCount) + 1);
     return rows;
 }
 

@@ -8,6 +8,7 @@
 #include "libpolymesh/mesh/topology.h"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -172,7 +173,8 @@ void checkPatches(const PolyMesh& mesh, Defects& defects) {
 class EdgePairs {
 public:
     void reset(std::size_t edgeCount) {
-        const std::size_t size = std::bit_ceil(2 * edgeCount + 2);
+        // Half full when every edge is used twice, never full.
+        const std::size_t size = std::bit_ceil(edgeCount + 2);
         mask_ = size - 1;
         slots_.assign(size, Slot{});
     }
@@ -303,8 +305,10 @@ void checkCells(const PolyMesh& mesh, Defects& defects) {
 
 void checkPointUse(const PolyMesh& mesh, Defects& defects) {
     std::vector<char> used(mesh.points.size(), 0);
-    for (const Label point : mesh.faces.values)
-        used[index(point)] = 1;
+    parallelFor(toLabel(mesh.faces.values.size()), [&](Label i) {
+        std::atomic_ref<char>(used[index(mesh.faces.values[index(i)])])
+            .store(1, std::memory_order_relaxed);
+    });
     for (Label point = 0; point < mesh.pointCount(); ++point)
         if (used[index(point)] == 0)
             defects.push_back({5, point, fmt::format("point {} is not used by a face", point)});

@@ -57,4 +57,8 @@ struct EditMesh {
     std::vector<EditCell> cells;
 };
 
+/// Fills in the faces of each cell, ascending, from the owners and neighbours of the faces.
+/// Cost: O(faces), in parallel.
+void listFacesOfCells(EditMesh& mesh);
+
 } // namespace polymesh

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/quality/meshEditor.h"
 
+#include "libpolymesh/base/freshList.h"
 #include "libpolymesh/base/parallel.h"
 
 #include <algorithm>
@@ -14,14 +15,14 @@ namespace {
 
 Rows<Label> facesByPoint(const EditMesh& mesh) {
     Rows<Label> rows;
-    rows.offsets.assign(mesh.points.size() + 1, 0);
+    rows.offsets = freshList<Label>(mesh.points.size() + 1);
     for (const EditFace& face : mesh.faces)
         if (!face.isRemoved())
             for (const Label p : face.points)
                 ++rows.offsets[index(p) + 1];
     for (std::size_t i = 1; i < rows.offsets.size(); ++i)
         rows.offsets[i] += rows.offsets[i - 1];
-    rows.values.resize(index(rows.offsets.back()));
+    rows.values = freshList<Label>(index(rows.offsets.back()));
     std::vector<Label> next(rows.offsets.begin(), rows.offsets.end() - 1);
     for (std::size_t f = 0; f < mesh.faces.size(); ++f)
         if (!mesh.faces[f].isRemoved())
@@ -42,9 +43,9 @@ void eraseValue(List& list, Label value) {
 MeshEditor::MeshEditor(EditMesh& mesh)
     : mesh_(mesh),
       pointFaces_(facesByPoint(mesh)),
-      ownListOf_(mesh.points.size(), -1),
-      faceGeometry_(mesh.faces.size()),
-      cellGeometry_(mesh.cells.size()),
+      ownListOf_(freshList<Label>(mesh.points.size(), -1)),
+      faceGeometry_(freshList<FaceGeometry>(mesh.faces.size())),
+      cellGeometry_(freshList<CellGeometry>(mesh.cells.size())),
       faceKnown_(mesh.faces.size(), 0),
       cellKnown_(mesh.cells.size(), 0) {}
 

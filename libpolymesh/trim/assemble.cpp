@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/trim/assemble.h"
 
+#include "libpolymesh/base/freshList.h"
 #include "libpolymesh/base/kept.h"
 #include "libpolymesh/base/parallel.h"
 
@@ -51,7 +52,7 @@ private:
         for (std::size_t c = 0; c < cells.size(); ++c)
             if (!cells[c].frozen && !cells[c].isRemoved()) order.push_back(toLabel(c));
         std::ranges::stable_sort(order, {}, [&](Label c) { return cells[index(c)].origin; });
-        meshCell_.assign(index(mesh_.cellCount), -1);
+        meshCell_ = freshList<Label>(index(mesh_.cellCount), -1);
         editCell_.assign(cells.size(), -1);
         std::size_t next = 0;
         Label count = 0;
@@ -71,7 +72,7 @@ private:
             return meshCell_[index(mesh_.owner[index(f)])] >= 0 &&
                    (!mesh_.isInternal(f) || meshCell_[index(mesh_.neighbour[index(f)])] >= 0);
         });
-        std::vector<Label> faces(index(kept.count()));
+        std::vector<Label> faces = freshList<Label>(index(kept.count()));
         kept.forEach([&](Label f, Label to) { faces[index(to)] = f; });
         const Label pairs = std::max(kept.count() - 1, Label{0});
         const Label wrong = parallelSum(pairs, Label{0}, [&](Label i) {
@@ -113,7 +114,7 @@ private:
     void listFaces() {
         const std::vector<Label> old = listOldFaces();
         const std::vector<FacePlace> edited = listEditedFaces();
-        places_.resize(old.size() + edited.size());
+        places_ = freshList<FacePlace>(old.size() + edited.size());
         constexpr Label block = 1 << 13;
         const auto firstEdited = [&](Label i) {
             if (i == 0) return edited.begin();
@@ -153,8 +154,8 @@ private:
     }
 
     void numberPoints() {
-        oldPoint_.assign(mesh_.points.size(), -1);
-        newPoint_.assign(part_.mesh.points.size(), -1);
+        oldPoint_ = freshList<Label>(mesh_.points.size(), -1);
+        newPoint_ = freshList<Label>(part_.mesh.points.size(), -1);
         const auto use = [](std::vector<Label>& points, Label p) {
             std::atomic_ref<Label>(points[index(p)]).store(0, std::memory_order_relaxed);
         };
@@ -165,20 +166,28 @@ private:
                 use(isNew ? newPoint_ : oldPoint_, isOld(place) || isNew ? p : meshPointOf(p));
             }
         });
-        for (std::size_t p = 0; p < oldPoint_.size(); ++p)
-            if (oldPoint_[p] == 0) {
-                oldPoint_[p] = result_.pointCount();
-                result_.points.push_back(mesh_.points[p]);
-            }
-        for (std::size_t p = 0; p < newPoint_.size(); ++p) {
-            const Label meshPoint = meshPointOf(toLabel(p));
-            if (meshPoint >= 0) {
-                newPoint_[p] = oldPoint_[index(meshPoint)];
-            } else if (newPoint_[p] == 0) {
-                newPoint_[p] = result_.pointCount();
-                result_.points.push_back(part_.mesh.points[p]);
-            }
-        }
+        placePoints();
+    }
+
+    /// Old points first, then new ones, each in their order.
+    void placePoints() {
+        const Kept old(toLabel(oldPoint_.size()),
+                       [&](Label p) { return oldPoint_[index(p)] == 0; });
+        const Kept added(toLabel(newPoint_.size()),
+                         [&](Label p) { return newPoint_[index(p)] == 0 && meshPointOf(p) < 0; });
+        result_.points = freshList<Vec3>(index(old.count() + added.count()));
+        old.forEach([&](Label p, Label to) {
+            oldPoint_[index(p)] = to;
+            result_.points[index(to)] = mesh_.points[index(p)];
+        });
+        added.forEach([&](Label p, Label to) {
+            newPoint_[index(p)] = old.count() + to;
+            result_.points[index(old.count() + to)] = part_.mesh.points[index(p)];
+        });
+        parallelFor(toLabel(newPoint_.size()), [&](Label p) {
+            if (const Label meshPoint = meshPointOf(p); meshPoint >= 0)
+                newPoint_[index(p)] = oldPoint_[index(meshPoint)];
+        });
     }
 
     void addPatches(const std::vector<std::string>& names, const std::vector<std::string>& types) {
@@ -217,10 +226,10 @@ private:
 
     void fillFaces() {
         const Label count = toLabel(places_.size());
-        result_.owner.resize(places_.size());
-        result_.neighbour.resize(index(internalCount_));
+        result_.owner = freshList<Label>(places_.size());
+        result_.neighbour = freshList<Label>(index(internalCount_));
         auto& offsets = result_.faces.offsets;
-        offsets.assign(places_.size() + 1, 0);
+        offsets = freshList<Label>(places_.size() + 1);
         parallelFor(count, [&](Label f) {
             const FacePlace& place = places_[index(f)];
             result_.owner[index(f)] = place.owner;
@@ -229,7 +238,7 @@ private:
         });
         for (std::size_t f = 1; f < offsets.size(); ++f)
             offsets[f] += offsets[f - 1];
-        result_.faces.values.resize(index(offsets.back()));
+        result_.faces.values = freshList<Label>(index(offsets.back()));
         parallelFor(count, [&](Label f) {
             const FacePlace& place = places_[index(f)];
             const auto& numbers = isOld(place) ? oldPoint_ : newPoint_;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/trim/dropOutside.h"
 
+#include "libpolymesh/base/freshList.h"
 #include "libpolymesh/base/kept.h"
 #include "libpolymesh/base/parallel.h"
 
@@ -39,7 +40,7 @@ private:
         renumberPatches(faces);
         renumberProbe(faces);
         const auto newCells = [&](const std::vector<Label>& cells, Label oldCount) {
-            std::vector<Label> kept(index(faces.countBefore(oldCount)));
+            std::vector<Label> kept = freshList<Label>(index(faces.countBefore(oldCount)));
             faces.forEach([&](Label f, Label to) {
                 if (f < oldCount) kept[index(to)] = numberOf(cells[index(f)]);
             });
@@ -53,11 +54,11 @@ private:
     Rows<Label> rowsOf(const Kept& faces) {
         const Rows<Label>& old = mesh_.faces;
         Rows<Label> rows;
-        rows.offsets.assign(index(faces.count()) + 1, 0);
+        rows.offsets = freshList<Label>(index(faces.count()) + 1);
         faces.forEach([&](Label f, Label to) { rows.offsets[index(to) + 1] = old.rowSize(f); });
         for (std::size_t f = 1; f < rows.offsets.size(); ++f)
             rows.offsets[f] += rows.offsets[f - 1];
-        rows.values.resize(index(rows.offsets.back()));
+        rows.values = freshList<Label>(index(rows.offsets.back()));
         faces.forEach([&](Label f, Label to) { std::ranges::copy(old[f], rows[to].begin()); });
         return rows;
     }
@@ -79,14 +80,14 @@ private:
     }
 
     void dropPoints() {
-        std::vector<std::uint8_t> used(mesh_.points.size(), 0);
+        std::vector<std::uint8_t> used = freshList<std::uint8_t>(mesh_.points.size());
         parallelFor(toLabel(mesh_.faces.values.size()), [&](Label i) {
             std::atomic_ref<std::uint8_t>(used[index(mesh_.faces.values[index(i)])])
                 .store(1, std::memory_order_relaxed);
         });
         const Kept kept(mesh_.pointCount(), [&](Label p) { return used[index(p)] != 0; });
-        std::vector<Label> number(mesh_.points.size(), -1);
-        std::vector<Vec3> points(index(kept.count()));
+        std::vector<Label> number = freshList<Label>(mesh_.points.size(), -1);
+        std::vector<Vec3> points = freshList<Vec3>(index(kept.count()));
         kept.forEach([&](Label p, Label to) {
             number[index(p)] = to;
             points[index(to)] = mesh_.points[index(p)];
@@ -127,7 +128,7 @@ void dropOutside(PolyMesh& mesh, Probe& probe, std::vector<std::int8_t>& cellWin
         return probe.localCell[index(c)] >= 0 || cellWinding[index(c)] >= 1;
     });
     if (cells.count() > mesh.cellCount - mesh.cellCount / 5) return;
-    std::vector<Label> number(index(mesh.cellCount), -1);
+    std::vector<Label> number = freshList<Label>(index(mesh.cellCount), -1);
     std::vector<std::int8_t> kept(index(cells.count()));
     cells.forEach([&](Label c, Label to) {
         number[index(c)] = to;

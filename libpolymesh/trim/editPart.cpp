@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/trim/editPart.h"
 
+#include "libpolymesh/base/freshList.h"
 #include "libpolymesh/base/kept.h"
 #include "libpolymesh/base/parallel.h"
 
@@ -35,8 +36,10 @@ public:
     EditPart run() {
         findStates();
         addCells();
-        addPolygons();
-        addWholeFaces();
+        listWholeFaces();
+        addFrozenCells();
+        numberPoints();
+        addFaces();
         rankPoints();
         return std::move(part_);
     }
@@ -46,7 +49,7 @@ private:
 
     /// Marks the mesh points that a crossing may be collapsed with.
     std::vector<std::uint8_t> nearPoints() const {
-        std::vector<std::uint8_t> isNear(trim_.mesh.points.size(), 0);
+        std::vector<std::uint8_t> isNear = freshList<std::uint8_t>(trim_.mesh.points.size());
         const Probe& probe = trim_.probe;
         for (Label e = 0; e < probe.edgeCount(); ++e)
             for (Label x = trim_.arrangement.crossings.offsets[index(e)];
@@ -65,14 +68,14 @@ private:
 
     void findStates() {
         const PolyMesh& mesh = trim_.mesh;
-        part_.states.assign(index(mesh.cellCount), CellState::outside);
+        part_.states = freshList<CellState>(index(mesh.cellCount), CellState::outside);
         parallelFor(mesh.cellCount, [&](Label c) {
             if (trim_.probe.localCell[index(c)] < 0 && isInside(trim_.cellWinding[index(c)]))
                 part_.states[index(c)] = CellState::inside;
         });
         for (const Label local : trim_.cells.localCell)
             part_.states[index(trim_.probe.cells[index(local)])] = CellState::edited;
-        isRing_.assign(index(mesh.cellCount), 0);
+        isRing_ = freshList<std::uint8_t>(index(mesh.cellCount));
         parallelFor(trim_.probe.faceCount(), [&](Label f) {
             const Label meshFace = trim_.probe.faces[index(f)];
             if (meshFace < 0 || trim_.loops.offsets[index(f)] == trim_.loops.offsets[index(f) + 1])
@@ -96,7 +99,7 @@ private:
     }
 
     void addCells() {
-        editCell_.assign(index(trim_.mesh.cellCount), -1);
+        editCell_ = freshList<Label>(index(trim_.mesh.cellCount), -1);
         const auto ring = std::ranges::count(isRing_, std::uint8_t{1});
         // About as many frozen cells as there are in the ring follow.
         part_.mesh.cells.reserve(trim_.cells.localCell.size() + 2 * static_cast<std::size_t>(ring));
@@ -114,56 +117,116 @@ private:
             }
     }
 
-    Label addCell(Label meshCell, bool isFrozen) {
+    void addCell(Label meshCell, bool isFrozen) {
         EditCell cell;
         cell.origin = meshCell;
         cell.frozen = isFrozen;
         editCell_[index(meshCell)] = toLabel(part_.mesh.cells.size());
         part_.mesh.cells.push_back(cell);
-        return editCell_[index(meshCell)];
     }
 
-    Label pointOf(Label point) {
-        Label& known = editPoint_[index(point)];
-        if (known < 0) {
-            known = toLabel(part_.mesh.points.size());
-            part_.mesh.points.push_back(trim_.positions[index(point)]);
-            part_.mesh.ranks.push_back(PointRank::interior);
-            arrangementPoint_.push_back(point);
-            const bool isMeshNode = point < trim_.probe.meshNodeCount();
-            part_.meshPoint.push_back(isMeshNode ? trim_.probe.nodes[index(point)] : -1);
-            if (isMeshNode) editPointOfMesh_[index(part_.meshPoint.back())] = known;
-        }
-        return known;
+    Label otherCell(Label meshFace) const {
+        return trim_.mesh.isInternal(meshFace) ? trim_.mesh.neighbour[index(meshFace)] : -1;
     }
 
-    Label pointOfMesh(Label meshPoint) {
-        Label& known = editPointOfMesh_[index(meshPoint)];
-        if (known < 0) {
-            known = toLabel(part_.mesh.points.size());
-            part_.mesh.points.push_back(trim_.mesh.points[index(meshPoint)]);
-            part_.mesh.ranks.push_back(PointRank::interior);
-            arrangementPoint_.push_back(-1);
-            part_.meshPoint.push_back(meshPoint);
-        }
-        return known;
+    /// Lists the faces of ring cells that no probed cell shares.
+    void listWholeFaces() {
+        const PolyMesh& mesh = trim_.mesh;
+        const auto isRing = [&](Label c) { return c >= 0 && isRing_[index(c)] != 0; };
+        const auto isProbed = [&](Label c) {
+            return c >= 0 && trim_.probe.localCell[index(c)] >= 0;
+        };
+        const Kept wanted(mesh.faceCount(), [&](Label f) {
+            const Label own = mesh.owner[index(f)];
+            const Label other = otherCell(f);
+            return (isRing(own) || isRing(other)) && !isProbed(own) && !isProbed(other);
+        });
+        wholeFaces_.resize(index(wanted.count()));
+        wanted.forEach([&](Label f, Label to) { wholeFaces_[index(to)] = f; });
     }
 
-    void addFace(EditFace face) {
-        const Label f = toLabel(part_.mesh.faces.size());
-        for (const Label c : {face.owner, face.neighbour})
-            if (c >= 0) part_.mesh.cells[index(c)].faces.push_back(f);
-        part_.mesh.faces.push_back(std::move(face));
+    /// Calls body(polygon, probed face) for the polygons of probed faces, in parallel.
+    template<class Body>
+    void forPolygons(Body&& body) const {
+        parallelFor(trim_.probe.faceCount(), [&](Label f) {
+            for (Label k = trim_.loops.offsets[index(f)]; k < trim_.loops.offsets[index(f) + 1];
+                 ++k)
+                body(k, f);
+        });
     }
 
-    /// The cell on a side of a polygon of a probed face: a piece, or a cell that nothing touches.
-    Label sideOf(Label polygon, Label localFace, std::size_t side) {
-        if (const Label piece = trim_.cells.polygonCells[index(polygon)][side]; piece >= 0)
-            return piece;
-        const Label f = trim_.probe.faces[index(localFace)];
-        if (side == 1 && !trim_.mesh.isInternal(f)) return -1;
-        const Label c = side == 0 ? trim_.mesh.owner[index(f)] : trim_.mesh.neighbour[index(f)];
-        return cellOf(c) >= 0 ? cellOf(c) : addCell(c, true);
+    static void mark(std::vector<std::uint8_t>& flags, Label i) {
+        std::atomic_ref<std::uint8_t>(flags[index(i)]).store(1, std::memory_order_relaxed);
+    }
+
+    /// The cells that are not edited but share a face of the part.
+    void addFrozenCells() {
+        std::vector<std::uint8_t> isFrozen(index(trim_.mesh.cellCount), 0);
+        const auto see = [&](Label meshCell) {
+            if (meshCell >= 0 && cellOf(meshCell) < 0) mark(isFrozen, meshCell);
+        };
+        forPolygons([&](Label k, Label f) {
+            const auto& pieces = trim_.cells.polygonCells[index(k)];
+            const Label meshFace = trim_.probe.faces[index(f)];
+            if (pieces[0] < 0) see(trim_.mesh.owner[index(meshFace)]);
+            if (pieces[1] < 0 && meshFace >= 0) see(otherCell(meshFace));
+        });
+        parallelFor(toLabel(wholeFaces_.size()), [&](Label i) {
+            see(trim_.mesh.owner[index(wholeFaces_[index(i)])]);
+            see(otherCell(wholeFaces_[index(i)]));
+        });
+        for (Label c = 0; c < trim_.mesh.cellCount; ++c)
+            if (isFrozen[index(c)] != 0) addCell(c, true);
+    }
+
+    /// Points of polygons first, then those that only whole faces use.
+    void numberPoints() {
+        std::vector<std::uint8_t> isUsed(trim_.positions.size(), 0);
+        const auto use = [&](std::span<const Label> polygon) {
+            for (const Label p : polygon)
+                mark(isUsed, p);
+        };
+        forPolygons([&](Label k, Label) { use(trim_.loops.polygons[k]); });
+        parallelFor(trim_.boundary.polygons.size(),
+                    [&](Label k) { use(trim_.boundary.polygons[k]); });
+        const Kept cut(toLabel(isUsed.size()), [&](Label p) { return isUsed[index(p)] != 0; });
+        editPoint_ = freshList<Label>(isUsed.size(), -1);
+        editPointOfMesh_ = freshList<Label>(trim_.mesh.points.size(), -1);
+        cut.forEach([&](Label p, Label to) {
+            editPoint_[index(p)] = to;
+            if (p < trim_.probe.meshNodeCount())
+                editPointOfMesh_[index(trim_.probe.nodes[index(p)])] = to;
+        });
+        const Kept whole = pointsOfWholeFaces();
+        whole.forEach([&](Label p, Label to) { editPointOfMesh_[index(p)] = cut.count() + to; });
+        placePoints(cut, whole);
+    }
+
+    Kept pointsOfWholeFaces() const {
+        std::vector<std::uint8_t> isUsed(trim_.mesh.points.size(), 0);
+        parallelFor(toLabel(wholeFaces_.size()), [&](Label i) {
+            for (const Label p : trim_.mesh.faces[wholeFaces_[index(i)]])
+                if (editPointOfMesh_[index(p)] < 0) mark(isUsed, p);
+        });
+        return {toLabel(isUsed.size()), [&](Label p) { return isUsed[index(p)] != 0; }};
+    }
+
+    void placePoints(const Kept& cut, const Kept& whole) {
+        const std::size_t count = index(cut.count() + whole.count());
+        part_.mesh.points = freshList<Vec3>(count);
+        part_.mesh.ranks.assign(count, PointRank::interior);
+        part_.meshPoint = freshList<Label>(count, -1);
+        arrangementPoint_ = freshList<Label>(count, -1);
+        cut.forEach([&](Label p, Label to) {
+            part_.mesh.points[index(to)] = trim_.positions[index(p)];
+            arrangementPoint_[index(to)] = p;
+            if (p < trim_.probe.meshNodeCount())
+                part_.meshPoint[index(to)] = trim_.probe.nodes[index(p)];
+        });
+        whole.forEach([&](Label p, Label to) {
+            part_.mesh.points[index(cut.count() + to)] = trim_.mesh.points[index(p)];
+            part_.meshPoint[index(cut.count() + to)] = p;
+        });
     }
 
     Label patchOf(Label meshFace) const {
@@ -173,72 +236,58 @@ private:
         return toLabel(patches.size()) - 1;
     }
 
-    void addPolygons() {
-        const Probe& probe = trim_.probe;
-        editPoint_.assign(trim_.positions.size(), -1);
-        editPointOfMesh_.assign(trim_.mesh.points.size(), -1);
+    /// A polygon of a probed face: between pieces, or cells that nothing touches.
+    void fillPolygon(EditFace& face, Label k, Label f) const {
+        const Label meshFace = trim_.probe.faces[index(f)];
+        const auto& pieces = trim_.cells.polygonCells[index(k)];
+        for (const Label p : trim_.loops.polygons[k])
+            face.points.push_back(editPoint_[index(p)]);
+        face.owner = pieces[0] >= 0 ? pieces[0] : cellOf(trim_.mesh.owner[index(meshFace)]);
+        face.neighbour = pieces[1];
+        if (face.neighbour < 0 && meshFace >= 0 && trim_.mesh.isInternal(meshFace))
+            face.neighbour = cellOf(trim_.mesh.neighbour[index(meshFace)]);
+        if (face.neighbour >= 0) return;
+        const Label region = trim_.touchedRegions[index(k)];
         const Label firstRegion = toLabel(trim_.mesh.patches.size());
-        part_.mesh.faces.reserve(
-            index(trim_.loops.polygons.size() + trim_.boundary.polygons.size()) +
-            2 * part_.mesh.cells.size());
-        for (Label f = 0; f < probe.faceCount(); ++f) {
-            const Label meshFace = probe.faces[index(f)];
-            for (Label k = trim_.loops.offsets[index(f)]; k < trim_.loops.offsets[index(f) + 1];
-                 ++k) {
-                EditFace face;
-                for (const Label p : trim_.loops.polygons[k])
-                    face.points.push_back(pointOf(p));
-                face.owner = sideOf(k, f, 0);
-                face.neighbour = sideOf(k, f, 1);
-                const Label region = trim_.touchedRegions[index(k)];
-                if (face.neighbour < 0)
-                    face.patch = region >= 0 ? firstRegion + region : patchOf(meshFace);
-                addFace(std::move(face));
-            }
-        }
-        for (Label k = 0; k < trim_.boundary.polygons.size(); ++k) {
-            EditFace face;
-            for (const Label p : trim_.boundary.polygons[k])
-                face.points.push_back(pointOf(p));
-            face.owner = trim_.cells.boundaryCells[index(k)];
-            face.patch = firstRegion + trim_.boundary.region[index(k)];
-            addFace(std::move(face));
-        }
+        face.patch = region >= 0 ? firstRegion + region : patchOf(meshFace);
     }
 
-    /// The faces of ring cells that no probed cell shares.
-    void addWholeFaces() {
-        const PolyMesh& mesh = trim_.mesh;
-        const auto otherOf = [&](Label f) {
-            return mesh.isInternal(f) ? mesh.neighbour[index(f)] : -1;
-        };
-        const auto isRing = [&](Label c) { return c >= 0 && isRing_[index(c)] != 0; };
-        const auto isProbed = [&](Label c) {
-            return c >= 0 && trim_.probe.localCell[index(c)] >= 0;
-        };
-        const Kept wanted(mesh.faceCount(), [&](Label f) {
-            const Label own = mesh.owner[index(f)];
-            const Label other = otherOf(f);
-            return (isRing(own) || isRing(other)) && !isProbed(own) && !isProbed(other);
+    void fillBoundary(EditFace& face, Label k) const {
+        for (const Label p : trim_.boundary.polygons[k])
+            face.points.push_back(editPoint_[index(p)]);
+        face.owner = trim_.cells.boundaryCells[index(k)];
+        face.patch = toLabel(trim_.mesh.patches.size()) + trim_.boundary.region[index(k)];
+    }
+
+    void fillWholeFace(EditFace& face, Label f) const {
+        for (const Label p : trim_.mesh.faces[f])
+            face.points.push_back(editPointOfMesh_[index(p)]);
+        face.owner = cellOf(trim_.mesh.owner[index(f)]);
+        if (trim_.mesh.isInternal(f))
+            face.neighbour = cellOf(trim_.mesh.neighbour[index(f)]);
+        else
+            face.patch = patchOf(f);
+    }
+
+    void addFaces() {
+        const Label cut = trim_.loops.polygons.size();
+        const Label boundary = trim_.boundary.polygons.size();
+        auto& faces = part_.mesh.faces;
+        // Clean-up makes more faces: without room for them all would be moved.
+        const std::size_t count = index(cut + boundary) + wholeFaces_.size();
+        faces.reserve(count + count / 8);
+        backPages(faces.data(), count * sizeof(EditFace));
+        faces.resize(count);
+        forPolygons([&](Label k, Label f) { fillPolygon(faces[index(k)], k, f); });
+        parallelFor(boundary, [&](Label k) { fillBoundary(faces[index(cut + k)], k); });
+        parallelFor(toLabel(wholeFaces_.size()), [&](Label i) {
+            fillWholeFace(faces[index(cut + boundary + i)], wholeFaces_[index(i)]);
         });
-        std::vector<Label> faces(index(wanted.count()));
-        wanted.forEach([&](Label f, Label to) { faces[index(to)] = f; });
-        const auto sideOfCell = [&](Label c) {
-            return cellOf(c) >= 0 ? cellOf(c) : addCell(c, true);
-        };
-        for (const Label f : faces) {
-            EditFace face;
-            for (const Label p : mesh.faces[f])
-                face.points.push_back(pointOfMesh(p));
-            face.owner = sideOfCell(mesh.owner[index(f)]);
-            if (mesh.isInternal(f))
-                face.neighbour = sideOfCell(mesh.neighbour[index(f)]);
-            else
-                face.patch = patchOf(f);
-            addFace(std::move(face));
-        }
-        for (EditCell& cell : part_.mesh.cells)
+        listFacesOfCells(part_.mesh);
+        parallelFor(toLabel(part_.mesh.cells.size()), [&](Label c) {
+            EditCell& cell = part_.mesh.cells[index(c)];
             if (!cell.frozen && cell.size == 0) cell.size = sizeOf(cell);
+        });
     }
 
     double sizeOf(const EditCell& cell) const {
@@ -332,6 +381,7 @@ private:
     std::vector<std::uint8_t> isOnFeature_; // per surface point
     EditPart part_;
     std::vector<std::uint8_t> isRing_;
+    std::vector<Label> wholeFaces_;       // mesh faces
     std::vector<Label> editCell_;         // mesh cell -> edit cell, for whole and frozen cells
     std::vector<Label> editPoint_;        // arrangement point -> edit point
     std::vector<Label> editPointOfMesh_;  // mesh point -> edit point

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/trim/farCells.h"
 
+#include "libpolymesh/base/freshList.h"
 #include "libpolymesh/base/parallel.h"
 #include "libpolymesh/mesh/internalFaces.h"
 #include "libpolymesh/trim/nodes.h"
@@ -15,7 +16,7 @@ namespace {
 /// Regions of cells, each known by its lowest cell.
 class Regions {
 public:
-    explicit Regions(Label cellCount) : lower_(index(cellCount)) {
+    explicit Regions(Label cellCount) : lower_(freshList<Label>(index(cellCount))) {
         parallelFor(cellCount, [&](Label c) { lower_[index(c)] = c; });
     }
 
@@ -60,7 +61,7 @@ Regions joinFarCells(const PolyMesh& mesh, const Probe& probe) {
 /// A point of the lowest cell of each region, as (cell, point).
 std::vector<std::pair<Label, Label>>
 pointsOfRegions(const PolyMesh& mesh, const Probe& probe, const Regions& regions) {
-    std::vector<std::uint8_t> isWanted(index(mesh.cellCount), 0);
+    std::vector<std::uint8_t> isWanted = freshList<std::uint8_t>(index(mesh.cellCount));
     parallelFor(mesh.cellCount, [&](Label c) {
         isWanted[index(c)] = probe.localCell[index(c)] < 0 && regions[c] == c;
     });
@@ -85,7 +86,7 @@ std::vector<std::int8_t>
 windFarCells(const PolyMesh& mesh, const Probe& probe, const CuttingSurface& cutter, int shift) {
     const Regions regions = joinFarCells(mesh, probe);
     const auto points = pointsOfRegions(mesh, probe, regions);
-    std::vector<std::int8_t> winding(index(mesh.cellCount), 0);
+    std::vector<std::int8_t> winding = freshList<std::int8_t>(index(mesh.cellCount));
     parallelBlocks(toLabel(points.size()), 1, [&](Label i, Label, Label) {
         const auto& [cell, point] = points[index(i)];
         winding[index(cell)] =

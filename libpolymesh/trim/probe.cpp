@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/trim/probe.h"
 
+#include "libpolymesh/base/freshList.h"
+#include "libpolymesh/base/kept.h"
 #include "libpolymesh/base/parallel.h"
 #include "libpolymesh/geometry/predicates.h"
+#include "libpolymesh/mesh/boundingBox.h"
 #include "libpolymesh/mesh/internalFaces.h"
 #include "libpolymesh/trim/triangleBins.h"
 
@@ -26,7 +29,7 @@ using Range = TriangleBins::Range;
 class PointBins {
 public:
     PointBins(const PolyMesh& mesh, const TriangleBins& bins)
-        : values_(3 * mesh.points.size() + 1) {
+        : values_(freshList<std::int16_t>(3 * mesh.points.size() + 1)) {
         parallelFor(mesh.pointCount(), [&](Label p) {
             const TriangleBins::Index bin = bins.binOf(mesh.points[index(p)]);
             for (std::size_t axis = 0; axis < 3; ++axis)
@@ -61,7 +64,7 @@ bool planeMisses(const TriSurface& surface, Label triangle, const Box& box) {
 
 /// Mean edge length of a cell, the wish for the size of bins.
 double meanCellSize(const PolyMesh& mesh) {
-    const Vec3 size = boundingBox(mesh.points).size();
+    const Vec3 size = boundingBox(mesh).size();
     const double volume = std::max(size.x * size.y * size.z, 1e-300);
     return std::cbrt(volume / std::max<double>(1, static_cast<double>(mesh.cellCount)));
 }
@@ -74,7 +77,7 @@ struct NearCells {
 
 /// The range of bins of every cell.
 std::vector<Range> rangesOfCells(const PolyMesh& mesh, const PointBins& binOf) {
-    std::vector<Range> ranges(index(mesh.cellCount));
+    std::vector<Range> ranges = freshList<Range>(index(mesh.cellCount));
     const auto rangeOf = [&](Label f) {
         Range range;
         for (const Label p : mesh.faces[f])
@@ -95,7 +98,7 @@ NearCells findNearCells(const PolyMesh& mesh, const TriangleBins& bins) {
     const PointBins binOf(mesh, bins);
     std::vector<Range> ranges = rangesOfCells(mesh, binOf);
     NearCells cells;
-    cells.marked.resize(index(mesh.cellCount));
+    cells.marked = freshList<std::uint8_t>(index(mesh.cellCount));
     parallelFor(mesh.cellCount, [&](Label c) {
         cells.marked[index(c)] = bins.isOccupied(ranges[index(c)]) ? 1 : 0;
     });
@@ -113,7 +116,7 @@ void listCellFaces(Probe& probe) {
             if (c >= 0) ++offsets[index(c) + 1];
     for (std::size_t c = 1; c < offsets.size(); ++c)
         offsets[c] += offsets[c - 1];
-    probe.cellFaces.values.resize(index(offsets.back()));
+    probe.cellFaces.values = freshList<Label>(index(offsets.back()));
     std::vector<Label> next(offsets.begin(), offsets.end() - 1);
     for (Label f = 0; f < probe.faceCount(); ++f)
         for (const Label c : probe.faceCells[index(f)])
@@ -122,27 +125,25 @@ void listCellFaces(Probe& probe) {
 
 /// Numbers the marked cells and lists their faces.
 void addCells(const PolyMesh& mesh, const std::vector<std::uint8_t>& marked, Probe& probe) {
-    probe.localCell.assign(index(mesh.cellCount), -1);
+    probe.localCell = freshList<Label>(index(mesh.cellCount), -1);
     for (Label c = 0; c < mesh.cellCount; ++c)
         if (marked[index(c)] != 0) {
             probe.localCell[index(c)] = probe.cellCount();
             probe.cells.push_back(c);
         }
-    constexpr Label block = 1 << 16;
-    std::vector<std::vector<Label>> faces(index((mesh.faceCount() + block - 1) / block));
-    parallelBlocks(mesh.faceCount(), block, [&](Label b, Label first, Label last) {
-        for (Label f = first; f < last; ++f)
-            if (marked[index(mesh.owner[index(f)])] != 0 ||
-                (mesh.isInternal(f) && marked[index(mesh.neighbour[index(f)])] != 0))
-                faces[index(b)].push_back(f);
+    const Kept faces(mesh.faceCount(), [&](Label f) {
+        return marked[index(mesh.owner[index(f)])] != 0 ||
+               (mesh.isInternal(f) && marked[index(mesh.neighbour[index(f)])] != 0);
     });
-    for (const std::vector<Label>& found : faces)
-        probe.faces.insert(probe.faces.end(), found.begin(), found.end());
-    for (const Label f : probe.faces) {
+    probe.faces = freshList<Label>(index(faces.count()));
+    faces.forEach([&](Label f, Label to) { probe.faces[index(to)] = f; });
+    probe.faceCells = freshList<std::array<Label, 2>>(probe.faces.size());
+    parallelFor(probe.faceCount(), [&](Label i) {
+        const Label f = probe.faces[index(i)];
         const Label other = mesh.isInternal(f) ? mesh.neighbour[index(f)] : -1;
-        probe.faceCells.push_back({probe.localCell[index(mesh.owner[index(f)])],
-                                   other >= 0 ? probe.localCell[index(other)] : -1});
-    }
+        probe.faceCells[index(i)] = {probe.localCell[index(mesh.owner[index(f)])],
+                                     other >= 0 ? probe.localCell[index(other)] : -1};
+    });
     listCellFaces(probe);
 }
 
@@ -211,22 +212,22 @@ Rows<Label> findTriangles(const PolyMesh& mesh,
 /// Numbers the points of the probe's faces in their order in the mesh.
 void numberNodes(const PolyMesh& mesh, Probe& probe) {
     Rows<Label>& rows = probe.faceNodes;
-    rows.offsets.resize(probe.faces.size() + 1);
-    rows.offsets[0] = 0;
+    rows.offsets = freshList<Label>(probe.faces.size() + 1);
     for (std::size_t f = 0; f < probe.faces.size(); ++f)
         rows.offsets[f + 1] = rows.offsets[f] + mesh.faces.rowSize(probe.faces[f]);
-    rows.values.resize(index(rows.offsets.back()));
-    std::vector<Label> local(mesh.points.size(), -1);
+    rows.values = freshList<Label>(index(rows.offsets.back()));
+    std::vector<Label> local = freshList<Label>(mesh.points.size(), -1);
     parallelFor(probe.faceCount(), [&](Label f) {
         for (const Label p : mesh.faces[probe.faces[index(f)]])
             std::atomic_ref<Label>(local[index(p)]).store(0, std::memory_order_relaxed);
     });
-    for (std::size_t p = 0; p < local.size(); ++p)
-        if (local[p] == 0) {
-            local[p] = toLabel(probe.nodes.size());
-            probe.nodes.push_back(toLabel(p));
-        }
-    probe.nodePoints.resize(probe.nodes.size());
+    const Kept used(toLabel(local.size()), [&](Label p) { return local[index(p)] == 0; });
+    probe.nodes = freshList<Label>(index(used.count()));
+    used.forEach([&](Label p, Label to) {
+        local[index(p)] = to;
+        probe.nodes[index(to)] = p;
+    });
+    probe.nodePoints = freshList<Vec3>(probe.nodes.size());
     parallelFor(toLabel(probe.nodes.size()), [&](Label n) {
         probe.nodePoints[index(n)] = mesh.points[index(probe.nodes[index(n)])];
     });

@@ -109,4 +109,11 @@ void locateVertices(const PolyMesh& mesh,
                     const CuttingSurface& cutter,
                     Arrangement& arrangement);
 
+/// Where mesh and surface meet, and what meets there.
+struct Intersection {
+    const Probe& probe;
+    const CuttingSurface& cutter;
+    const Arrangement& arrangement;
+};
+
 } // namespace polymesh

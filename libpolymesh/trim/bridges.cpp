@@ -169,10 +169,9 @@ void keepOpen(const std::vector<Vec3>& positions,
 
 Label openHoles(const std::vector<Vec3>& positions,
                 const Vec3& normal,
-                bool isPlainOutline,
-                std::vector<LoopPolygon>& polygons,
-                std::vector<LoopPolygon>& closed,
+                CurvesOnFace& curves,
                 std::vector<Label>& needed) {
+    auto& [polygons, closed, isPlainOutline] = curves;
     if (closed.empty()) return 0;
     const Plane plane(positions, normal);
     const bool isSurelyHole = isPlainOutline && closed.size() == 1;

@@ -336,6 +336,16 @@ private:
         if (features_.isCorner[index(v)] != 0) raise(p, PointRank::corner);
     }
 
+    /// `seen` are two patches of the point so far, -1 for none.
+    void rankByPatch(Label p, Label patch, std::array<Label, 2>& seen) {
+        if (seen[0] == patch || seen[1] == patch) return;
+        if (seen[0] < 0)
+            raise(p, PointRank::surface);
+        else
+            raise(p, seen[1] < 0 ? PointRank::feature : PointRank::corner);
+        (seen[0] < 0 ? seen[0] : seen[1]) = patch;
+    }
+
     /// A point of two patches is on a border between them, one of three is a corner.
     void rankByPatches() {
         std::vector<std::array<Label, 2>> patches(part_.mesh.points.size(), {-1, -1});
@@ -345,15 +355,7 @@ private:
                 (face.neighbour >= 0 && part_.mesh.cells[index(face.neighbour)].frozen);
             for (const Label p : face.points) {
                 if (isOfFrozen) raise(p, PointRank::fixed);
-                if (!face.isBoundary()) continue;
-                auto& seen = patches[index(p)];
-                const bool isNew = seen[0] != face.patch && seen[1] != face.patch;
-                if (!isNew) continue;
-                if (seen[0] < 0)
-                    raise(p, PointRank::surface);
-                else
-                    raise(p, seen[1] < 0 ? PointRank::feature : PointRank::corner);
-                (seen[0] < 0 ? seen[0] : seen[1]) = face.patch;
+                if (face.isBoundary()) rankByPatch(p, face.patch, patches[index(p)]);
             }
         }
     }

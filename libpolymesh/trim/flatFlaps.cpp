@@ -139,13 +139,14 @@ std::vector<LoopPolygon>
 restOf(MeshEditor& editor, Label cell, Label whole, const std::vector<Label>& flaps) {
     const double sign = editor.face(whole).owner == cell ? 1 : -1;
     const Vec3 normal = sign * editor.faceGeometry(whole).area;
-    std::vector<LoopPolygon> polygons;
-    std::vector<LoopPolygon> holes;
-    for (LoopPolygon& loop : loopsOf(edgesOfRest(editor, cell, whole, flaps)))
-        (dot(areaOf(editor, loop), normal) > 0 ? polygons : holes).push_back(std::move(loop));
+    CurvesOnFace curves;
+    for (LoopPolygon& loop : loopsOf(edgesOfRest(editor, cell, whole, flaps))) {
+        const bool isHole = dot(areaOf(editor, loop), normal) <= 0;
+        (isHole ? curves.closed : curves.polygons).push_back(std::move(loop));
+    }
     std::vector<Label> ends;
-    openHoles(editor.mesh().points, normal, false, polygons, holes, ends);
-    return polygons;
+    openHoles(editor.mesh().points, normal, curves, ends);
+    return std::move(curves.polygons);
 }
 
 void setRest(MeshEditor& editor,

@@ -22,19 +22,25 @@ struct OutlineItem {
     bool isDone = false; // the part of the outline after it has been walked
 };
 
+/// What the walks read.
+struct Plan {
+    const Probe& probe;
+    const Arrangement& arrangement;
+    const PointPositions& positions;
+};
+
 /// Everything needed to walk one face (or one facet, when a face is done by facets).
 struct Walk {
     std::vector<OutlineItem> outline;
     std::vector<Segment> segments; // by ascending `from`
     std::vector<std::uint8_t> isUsed;
-    std::vector<LoopPolygon> open;   // loops through the outline
-    std::vector<LoopPolygon> closed; // loops of pierces and inner crossings alone
+    CurvesOnFace curves; // the closed ones are of pierces and inner crossings alone
 
     void clear() {
         outline.clear();
         segments.clear();
-        open.clear();
-        closed.clear();
+        curves.polygons.clear();
+        curves.closed.clear();
     }
 };
 
@@ -42,16 +48,16 @@ bool isInside(int winding) {
     return winding >= 1;
 }
 
-void addOutline(const Probe& probe,
-                const Arrangement& arrangement,
+void addOutline(const Plan& plan,
                 std::span<const Label> nodes,
                 std::span<const Label> edges,
                 Walk& walk) {
+    const Arrangement& arrangement = plan.arrangement;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         int winding = arrangement.winding[index(nodes[i])];
         walk.outline.push_back({nodes[i], true, isInside(winding), isInside(winding), false});
         const Label e = edges[i];
-        const bool isForward = probe.edges[index(e)][0] == nodes[i];
+        const bool isForward = plan.probe.edges[index(e)][0] == nodes[i];
         const Label first = arrangement.crossings.offsets[index(e)];
         const Label last = arrangement.crossings.offsets[index(e) + 1];
         for (Label k = 0; k < last - first; ++k) {
@@ -119,7 +125,7 @@ void walkOutline(Walk& walk, const PointPositions& positions) {
             }
         }
         if (i != start) refuseFace(positions[index(walk.outline[i].point)]);
-        walk.open.push_back(std::move(loop));
+        walk.curves.polygons.push_back(std::move(loop));
     }
 }
 
@@ -135,7 +141,7 @@ void walkClosedCurves(Walk& walk) {
             at = segmentFrom(walk, segment.to);
         }
         // A curve that ends on the outline lies where the surface overlaps itself: no boundary.
-        if (at == static_cast<std::ptrdiff_t>(s)) walk.closed.push_back(std::move(loop));
+        if (at == static_cast<std::ptrdiff_t>(s)) walk.curves.closed.push_back(std::move(loop));
     }
 }
 
@@ -163,13 +169,11 @@ void addSegments(const Arrangement& arrangement, Label first, Label last, Walk& 
 }
 
 void emit(Walk& walk, const PointPositions& positions, const Vec3& normal, Collected& out) {
-    const bool wholeOutlineInside =
-        walk.outline.size() > 0 && walk.open.size() == 1 &&
+    walk.curves.isPlainOutline =
+        !walk.outline.empty() && walk.curves.polygons.size() == 1 &&
         std::ranges::all_of(walk.outline, [](const OutlineItem& i) { return i.isNode; });
-    const Label holes =
-        openHoles(positions, normal, wholeOutlineInside, walk.open, walk.closed, out.needed);
-    out.holeCount += holes;
-    for (const LoopPolygon& loop : walk.open)
+    out.holeCount += openHoles(positions, normal, walk.curves, out.needed);
+    for (const LoopPolygon& loop : walk.curves.polygons)
         out.polygons.add(std::span<const Label>(loop.data(), loop.size()));
 }
 
@@ -182,56 +186,52 @@ Vec3 areaVector(const Probe& probe, std::span<const Label> nodes) {
     return area;
 }
 
-void setFaceWalk(const Probe& probe, const Arrangement& arrangement, Label f, Walk& walk) {
+void setFaceWalk(const Plan& plan, Label f, Walk& walk) {
+    const Probe& probe = plan.probe;
     walk.clear();
     const auto nodes = probe.faceNodes[f];
     const std::span<const Label> edges{probe.faceEdges.data() + probe.faceNodes.offsets[index(f)],
                                        nodes.size()};
-    addOutline(probe, arrangement, nodes, edges, walk);
-    addSegments(arrangement, probe.facetOffsets[index(f)], probe.facetOffsets[index(f) + 1], walk);
+    addOutline(plan, nodes, edges, walk);
+    addSegments(
+        plan.arrangement, probe.facetOffsets[index(f)], probe.facetOffsets[index(f) + 1], walk);
 }
 
 /// Walks each facet of a fan by itself: used where a closed curve runs on a face that is not plane,
 /// so that what lies in what is a question of one plane again.
-void walkByFacets(const Probe& probe,
-                  const Arrangement& arrangement,
-                  const PointPositions& positions,
-                  Label f,
-                  Collected& out) {
+void walkByFacets(const Plan& plan, Label f, Collected& out) {
+    const Probe& probe = plan.probe;
     Walk walk;
     for (Label k = probe.facetOffsets[index(f)]; k < probe.facetOffsets[index(f) + 1]; ++k) {
         walk.clear();
         const auto nodes = probe.facetNodes[k];
         const std::span<const Label> edges{
             probe.facetEdges.data() + probe.facetNodes.offsets[index(k)], nodes.size()};
-        addOutline(probe, arrangement, nodes, edges, walk);
-        addSegments(arrangement, k, k + 1, walk);
-        run(walk, positions);
+        addOutline(plan, nodes, edges, walk);
+        addSegments(plan.arrangement, k, k + 1, walk);
+        run(walk, plan.positions);
         for (const OutlineItem& item : walk.outline)
             if (!item.isNode) out.needed.push_back(item.point);
-        emit(walk, positions, areaVector(probe, nodes), out);
+        emit(walk, plan.positions, areaVector(probe, nodes), out);
     }
 }
 
-void walkFace(const Probe& probe,
-              const Arrangement& arrangement,
-              const PointPositions& positions,
-              Label f,
-              Walk& walk,
-              Collected& out) {
-    setFaceWalk(probe, arrangement, f, walk);
-    run(walk, positions);
+void walkFace(const Plan& plan, Label f, Walk& walk, Collected& out) {
+    const Probe& probe = plan.probe;
+    setFaceWalk(plan, f, walk);
+    run(walk, plan.positions);
     const bool isFan = probe.facetOffsets[index(f) + 1] - probe.facetOffsets[index(f)] > 1;
-    if (isFan && !walk.closed.empty())
-        walkByFacets(probe, arrangement, positions, f, out);
+    if (isFan && !walk.curves.closed.empty())
+        walkByFacets(plan, f, out);
     else
-        emit(walk, positions, areaVector(probe, probe.faceNodes[f]), out);
+        emit(walk, plan.positions, areaVector(probe, probe.faceNodes[f]), out);
 }
 
 } // namespace
 
 FaceLoops
 walkFaces(const Probe& probe, const Arrangement& arrangement, const PointPositions& positions) {
+    const Plan plan{probe, arrangement, positions};
     constexpr Label block = 1024;
     std::vector<Collected> parts(index((probe.faceCount() + block - 1) / block));
     parallelBlocks(probe.faceCount(), block, [&](Label part, Label first, Label last) {
@@ -239,7 +239,7 @@ walkFaces(const Probe& probe, const Arrangement& arrangement, const PointPositio
         Collected& out = parts[index(part)];
         for (Label f = first; f < last; ++f) {
             const Label before = out.polygons.size();
-            walkFace(probe, arrangement, positions, f, walk, out);
+            walkFace(plan, f, walk, out);
             out.counts.push_back(out.polygons.size() - before);
         }
     });

@@ -56,15 +56,10 @@ void listArcs(const Probe& probe,
 /// Walks the outline of one triangle's part.
 class TriangleWalk {
 public:
-    TriangleWalk(const Probe& probe,
-                 const CuttingSurface& cutter,
-                 const Arrangement& arrangement,
-                 Label cell,
-                 std::span<Arc> arcs,
-                 Collected& out)
-        : probe_(probe),
-          cutter_(cutter),
-          arrangement_(arrangement),
+    TriangleWalk(const Intersection& cut, Label cell, std::span<Arc> arcs, Collected& out)
+        : probe_(cut.probe),
+          cutter_(cut.cutter),
+          arrangement_(cut.arrangement),
           cell_(cell),
           arcs_(arcs),
           out_(out) {}
@@ -170,31 +165,23 @@ wholeTriangles(const Probe& probe, const CuttingSurface& cutter, const Arrangeme
     return rows;
 }
 
-void cutCell(const Probe& probe,
-             const CuttingSurface& cutter,
-             const Arrangement& arrangement,
+void cutCell(const Intersection& cut,
              std::span<const Label> whole,
              Label cell,
              std::vector<Arc>& arcs,
              Collected& out) {
-    listArcs(probe, arrangement, cell, arcs);
+    listArcs(cut.probe, cut.arrangement, cell, arcs);
     std::size_t w = 0;
     std::size_t first = 0;
     while (first < arcs.size() || w < whole.size()) {
         if (first == arcs.size() || (w < whole.size() && whole[w] < arcs[first].triangle)) {
-            addWholeTriangle(cutter, arrangement, whole[w++], out);
+            addWholeTriangle(cut.cutter, cut.arrangement, whole[w++], out);
             continue;
         }
         std::size_t last = first;
         while (last < arcs.size() && arcs[last].triangle == arcs[first].triangle)
             ++last;
-        TriangleWalk(probe,
-                     cutter,
-                     arrangement,
-                     cell,
-                     std::span<Arc>(arcs).subspan(first, last - first),
-                     out)
-            .run();
+        TriangleWalk(cut, cell, std::span<Arc>(arcs).subspan(first, last - first), out).run();
         first = last;
     }
 }
@@ -222,7 +209,7 @@ cutTriangles(const Probe& probe, const CuttingSurface& cutter, const Arrangement
         Collected& out = parts[index(part)];
         for (Label c = first; c < last; ++c) {
             const Label before = out.polygons.size();
-            cutCell(probe, cutter, arrangement, whole[c], c, arcs, out);
+            cutCell({probe, cutter, arrangement}, whole[c], c, arcs, out);
             out.counts.push_back(out.polygons.size() - before);
         }
     });

@@ -184,11 +184,15 @@ Box cellBox(const PolyMesh& mesh, const Probe& probe, Label cell) {
     return box;
 }
 
+struct SearchableSurface {
+    const TriSurface& surface;
+    const std::vector<Box>& boxes; // of the triangles
+    const TriangleBins& bins;
+};
+
 /// The triangles that may touch each cell of the probe.
 Rows<Label> findTriangles(const PolyMesh& mesh,
-                          const TriSurface& surface,
-                          const std::vector<Box>& triangleBoxes,
-                          const TriangleBins& bins,
+                          const SearchableSurface& triangles,
                           const std::vector<Range>& cellRanges,
                           const Probe& probe) {
     constexpr Label block = 512;
@@ -198,10 +202,11 @@ Rows<Label> findTriangles(const PolyMesh& mesh,
         std::vector<Label> found;
         for (Label c = first; c < last; ++c) {
             found.clear();
-            bins.collect(cellRanges[index(c)], found);
+            triangles.bins.collect(cellRanges[index(c)], found);
             const Box box = cellBox(mesh, probe, c);
             std::erase_if(found, [&](Label t) {
-                return !overlaps(triangleBoxes[index(t)], box) || planeMisses(surface, t, box);
+                return !overlaps(triangles.boxes[index(t)], box) ||
+                       planeMisses(triangles.surface, t, box);
             });
             parts[index(b)].add(found);
         }
@@ -364,7 +369,7 @@ Probe findProbe(const PolyMesh& mesh,
     const NearCells nearCells = findNearCells(mesh, bins);
     Probe probe;
     addCells(mesh, nearCells.marked, probe);
-    dropEmptyCells(findTriangles(mesh, surface, triangleBoxes, bins, nearCells.ranges, probe),
+    dropEmptyCells(findTriangles(mesh, {surface, triangleBoxes, bins}, nearCells.ranges, probe),
                    probe);
     numberNodes(mesh, probe);
     return probe;

@@ -33,29 +33,26 @@ std::array<JoinLevel, CellInput::lastLevel + 1> joinLevels(const Fidelity& fidel
 /// The state of the simplification of a whole mesh.
 class Simplification {
 public:
-    Simplification(const Probe& probe,
-                   const CuttingSurface& cutter,
-                   const Arrangement& arrangement,
+    Simplification(const Intersection& cut,
                    const PointPositions& positions,
                    const CellPieces& pieces,
-                   const std::vector<double>& cellSizes,
                    const Fidelity& fidelity,
                    FaceLoops& loops)
-        : input_{probe,
-                 cutter,
-                 arrangement,
+        : input_{cut.probe,
+                 cut.cutter,
+                 cut.arrangement,
                  positions,
                  pieces,
                  fidelity.sharpness,
                  fidelity.isCorner,
                  joinLevels(fidelity),
-                 edgeOfIntervals(arrangement)},
-          cellSizes_(cellSizes),
+                 edgeOfIntervals(cut.arrangement)},
+          cellSizes_(fidelity.cellSizes),
           deviation_(fidelity.deviation),
           loops_(loops),
-          kept_(arrangement, loops.isNeeded),
+          kept_(cut.arrangement, loops.isNeeded),
           levels_(pieces.triangle.size(), 0),
-          isDirty_(index(probe.cellCount()), 1) {}
+          isDirty_(index(cut.probe.cellCount()), 1) {}
 
     BoundaryPolygons run() {
         parallelFor(cellCount(), [&](Label c) { raise(c); });
@@ -162,6 +159,18 @@ private:
         return isChanged;
     }
 
+    /// Adds the faces of a cell's groups; returns their number.
+    Label collectCell(Label c, CellGroups& groups, BoundaryPolygons& part) {
+        if (!isCut(c)) return 0;
+        groups.build(input_, c, levels_);
+        groups.reduce(input_, toleranceOf(c), kept_);
+        for (const CellGroups::Face& face : groups.faces()) {
+            part.polygons.add(std::span<const Label>(face.points.data(), face.points.size()));
+            part.region.push_back(face.region);
+        }
+        return toLabel(groups.faces().size());
+    }
+
     BoundaryPolygons collect() {
         constexpr Label block = 512;
         const Label blocks = (cellCount() + block - 1) / block;
@@ -169,19 +178,8 @@ private:
         parallelBlocks(cellCount(), block, [&](Label b, Label first, Label last) {
             BoundaryPolygons& part = parts[index(b)];
             CellGroups groups;
-            for (Label c = first; c < last; ++c) {
-                const Label before = part.polygons.size();
-                if (isCut(c)) {
-                    groups.build(input_, c, levels_);
-                    groups.reduce(input_, toleranceOf(c), kept_);
-                    for (const CellGroups::Face& face : groups.faces()) {
-                        part.polygons.add(
-                            std::span<const Label>(face.points.data(), face.points.size()));
-                        part.region.push_back(face.region);
-                    }
-                }
-                part.offsets.push_back(part.polygons.size() - before);
-            }
+            for (Label c = first; c < last; ++c)
+                part.offsets.push_back(collectCell(c, groups, part));
         });
         BoundaryPolygons all;
         all.offsets.assign(1, 0);
@@ -209,7 +207,7 @@ private:
     }
 
     CellInput input_;
-    const std::vector<double>& cellSizes_;
+    std::span<const double> cellSizes_;
     double deviation_;
     FaceLoops& loops_;
     KeptPoints kept_;
@@ -219,16 +217,12 @@ private:
 
 } // namespace
 
-BoundaryPolygons simplify(const Probe& probe,
-                          const CuttingSurface& cutter,
-                          const Arrangement& arrangement,
+BoundaryPolygons simplify(const Intersection& cut,
                           const PointPositions& positions,
                           const CellPieces& pieces,
-                          const std::vector<double>& cellSizes,
                           const Fidelity& fidelity,
                           FaceLoops& loops) {
-    return Simplification(probe, cutter, arrangement, positions, pieces, cellSizes, fidelity, loops)
-        .run();
+    return Simplification(cut, positions, pieces, fidelity, loops).run();
 }
 
 } // namespace polymesh

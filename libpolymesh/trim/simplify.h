@@ -5,6 +5,7 @@
 #include "libpolymesh/trim/loops.h"
 #include "libpolymesh/trim/pieces.h"
 
+#include <span>
 #include <vector>
 
 namespace polymesh {
@@ -16,8 +17,9 @@ struct Fidelity {
     double deviation = 0;
     /// Per surface edge, see edgeSharpness.
     std::vector<double> sharpness;
-    std::vector<char> isCorner; // per surface point; corners are kept always
-    double featureAngle = 0;    // [rad] sharper edges are kept always
+    std::vector<char> isCorner;        // per surface point; corners are kept always
+    double featureAngle = 0;           // [rad] sharper edges are kept always
+    std::span<const double> cellSizes; // of probed cells [m]
 };
 
 /// The surface in each cell as polygons: the boundary faces to be.
@@ -35,12 +37,9 @@ struct BoundaryPolygons {
 /// three points, two faces with the same points, fewer than four faces, no volume) or would miss
 /// the surface by more than the deviation, more is kept in that cell, up to everything. Source:
 /// paper, section 2.3 (reconstruction from node information); the deviation test is ours.
-BoundaryPolygons simplify(const Probe& probe,
-                          const CuttingSurface& cutter,
-                          const Arrangement& arrangement,
+BoundaryPolygons simplify(const Intersection& cut,
                           const PointPositions& positions,
                           const CellPieces& pieces,
-                          const std::vector<double>& cellSizes,
                           const Fidelity& fidelity,
                           FaceLoops& loops);
 

@@ -37,24 +37,17 @@ Polygon clipped(const Polygon& polygon, int axis, double low, double high) {
     return both;
 }
 
-struct Span {
-    double low;
-    double high;
-};
-
-Span extent(const Polygon& polygon, int axis) {
-    Span span{Box::inf, -Box::inf};
-    for (const Vec3& p : polygon) {
-        span.low = std::min(span.low, p[axis]);
-        span.high = std::max(span.high, p[axis]);
-    }
-    return span;
-}
-
 } // namespace
 
 TriangleBins::TriangleBins(const TriSurface& surface, double binSize)
     : box_(boundingBox(surface.points)) {
+    divide(binSize);
+    listTriangles(pairsOf(surface));
+    countOccupied();
+}
+
+/// Widens the box by a little and divides it.
+void TriangleBins::divide(double binSize) {
     const Vec3 extents = box_.size();
     const double largest = std::max({extents.x, extents.y, extents.z});
     const double margin = 1e-6 * largest;
@@ -68,49 +61,58 @@ TriangleBins::TriangleBins(const TriSurface& surface, double binSize)
         count_[static_cast<std::size_t>(axis)] = static_cast<int>(wanted);
         size_[axis] = whole[axis] / wanted;
     }
+    slack_ = 1e-9 * largest;
+}
 
-    // Clipping rounds, so slabs are widened by more than it can err.
-    const double slack = 1e-9 * largest;
-
-    struct Pair {
-        Label bin;
-        Label triangle;
+std::array<int, 2> TriangleBins::rangeOf(std::span<const Vec3> polygon, int axis) const {
+    double low = Box::inf;
+    double high = -Box::inf;
+    for (const Vec3& p : polygon) {
+        low = std::min(low, p[axis]);
+        high = std::max(high, p[axis]);
+    }
+    const auto bin = [&](double x) {
+        return std::clamp(static_cast<int>(std::floor((x - box_.min[axis]) / size_[axis])),
+                          0,
+                          count_[static_cast<std::size_t>(axis)] - 1);
     };
+    return {bin(low - slack_), bin(high + slack_)};
+}
 
+/// Calls visit(i, the part of the polygon in it) for the bins along an axis that it reaches.
+template<class Polygon, class Visit>
+void TriangleBins::forSlabs(const Polygon& polygon, int axis, Visit&& visit) const {
+    const auto [first, last] = rangeOf({polygon.data(), polygon.size()}, axis);
+    if (first == last) return visit(first, polygon);
+    for (int i = first; i <= last; ++i) {
+        const double low = box_.min[axis] + i * size_[axis];
+        const Polygon part = clipped(polygon, axis, low - slack_, low + size_[axis] + slack_);
+        if (!part.empty()) visit(i, part);
+    }
+}
+
+/// The bins of each triangle, in blocks of triangles: it is sliced by axis after axis.
+std::vector<std::vector<TriangleBins::Pair>>
+TriangleBins::pairsOf(const TriSurface& surface) const {
     constexpr Label block = 1024;
     const Label blocks = (surface.triangleCount() + block - 1) / block;
     std::vector<std::vector<Pair>> pairs(index(blocks));
-    const auto range = [&](const Span& span, int axis) {
-        const auto bin = [&](double x) {
-            return std::clamp(static_cast<int>(std::floor((x - box_.min[axis]) / size_[axis])),
-                              0,
-                              count_[static_cast<std::size_t>(axis)] - 1);
-        };
-        return std::array<int, 2>{bin(span.low - slack), bin(span.high + slack)};
-    };
-    const auto slab = [&](const Polygon& polygon, int axis, int i) {
-        const double low = box_.min[axis] + i * size_[axis];
-        return clipped(polygon, axis, low - slack, low + size_[axis] + slack);
-    };
     parallelBlocks(surface.triangleCount(), block, [&](Label b, Label first, Label last) {
         for (Label t = first; t < last; ++t) {
-            const Polygon whole3{surface.corner(t, 0), surface.corner(t, 1), surface.corner(t, 2)};
-            const auto [i0, i1] = range(extent(whole3, 0), 0);
-            for (int i = i0; i <= i1; ++i) {
-                const Polygon slice = i0 == i1 ? whole3 : slab(whole3, 0, i);
-                if (slice.empty()) continue;
-                const auto [j0, j1] = range(extent(slice, 1), 1);
-                for (int j = j0; j <= j1; ++j) {
-                    const Polygon row = j0 == j1 ? slice : slab(slice, 1, j);
-                    if (row.empty()) continue;
-                    const auto [k0, k1] = range(extent(row, 2), 2);
+            const Polygon whole{surface.corner(t, 0), surface.corner(t, 1), surface.corner(t, 2)};
+            forSlabs(whole, 0, [&](int i, const Polygon& slice) {
+                forSlabs(slice, 1, [&](int j, const Polygon& row) {
+                    const auto [k0, k1] = rangeOf({row.data(), row.size()}, 2);
                     for (int k = k0; k <= k1; ++k)
                         pairs[index(b)].push_back({toLabel(position(i, j, k)), t});
-                }
-            }
+                });
+            });
         }
     });
+    return pairs;
+}
 
+void TriangleBins::listTriangles(const std::vector<std::vector<Pair>>& pairs) {
     const std::size_t bins = position(count_[0] - 1, count_[1] - 1, count_[2] - 1) + 1;
     triangles_.offsets.assign(bins + 1, 0);
     for (const auto& list : pairs)
@@ -123,7 +125,6 @@ TriangleBins::TriangleBins(const TriSurface& surface, double binSize)
     for (const auto& list : pairs)
         for (const Pair& pair : list)
             triangles_.values[index(next[index(pair.bin)]++)] = pair.triangle;
-    countOccupied();
 }
 
 std::size_t TriangleBins::position(int i, int j, int k) const {

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace polymesh {
@@ -50,11 +51,23 @@ public:
     void collect(const Range& range, std::vector<Label>& found) const;
 
 private:
+    struct Pair {
+        Label bin;
+        Label triangle;
+    };
+
     std::size_t position(int i, int j, int k) const;
+    void divide(double binSize);
+    std::array<int, 2> rangeOf(std::span<const Vec3> polygon, int axis) const;
+    template<class Polygon, class Visit>
+    void forSlabs(const Polygon& polygon, int axis, Visit&& visit) const;
+    std::vector<std::vector<Pair>> pairsOf(const TriSurface& surface) const;
+    void listTriangles(const std::vector<std::vector<Pair>>& pairs);
     void countOccupied();
 
     Box box_;
     Vec3 size_;
+    double slack_ = 0; // [m] clipping rounds: slabs are wider by more than it can err
     std::array<int, 3> count_{1, 1, 1};
     Rows<Label> triangles_;       // one row per bin
     std::vector<Label> sumTable_; // occupied bins in [0, i) x [0, j) x [0, k)

@@ -217,9 +217,10 @@ Pieces cutCells(PolyMesh& mesh,
     const Fidelity fidelity{options.deviation,
                             edgeSharpness(surface, cutter.edges, features),
                             features.isCorner,
-                            options.featureAngle};
+                            options.featureAngle,
+                            cellSizes};
     const BoundaryPolygons boundary =
-        simplify(probe, cutter, arrangement, positions, pieces, cellSizes, fidelity, loops);
+        simplify({probe, cutter, arrangement}, positions, pieces, fidelity, loops);
     const TrimmedCells cells = divideOrRefuse(surface, probe, positions, loops, boundary);
 
     options.onStage("clean up");

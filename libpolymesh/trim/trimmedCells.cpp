@@ -172,6 +172,26 @@ private:
     CellShells shells_;
 };
 
+/// Makes the numbers of pieces in each cell numbers of pieces in the mesh.
+void numberThrough(const Probe& probe,
+                   const FaceLoops& loops,
+                   const BoundaryPolygons& boundary,
+                   const std::vector<Label>& first,
+                   TrimmedCells& cells) {
+    parallelFor(probe.faceCount(), [&](Label f) {
+        const auto& [own, other] = probe.faceCells[index(f)];
+        for (Label k = loops.offsets[index(f)]; k < loops.offsets[index(f) + 1]; ++k) {
+            auto& polygon = cells.polygonCells[index(k)];
+            if (own >= 0) polygon[0] += first[index(own)];
+            if (other >= 0) polygon[1] += first[index(other)];
+        }
+    });
+    parallelFor(probe.cellCount(), [&](Label c) {
+        for (Label k = boundary.offsets[index(c)]; k < boundary.offsets[index(c) + 1]; ++k)
+            cells.boundaryCells[index(k)] += first[index(c)];
+    });
+}
+
 } // namespace
 
 TrimmedCells divideCells(const Probe& probe,
@@ -200,18 +220,7 @@ TrimmedCells divideCells(const Probe& probe,
         cells.localCell.insert(
             cells.localCell.end(), index(first[index(c) + 1] - first[index(c)]), c);
     }
-    parallelFor(probe.faceCount(), [&](Label f) {
-        const auto& [own, other] = probe.faceCells[index(f)];
-        for (Label k = loops.offsets[index(f)]; k < loops.offsets[index(f) + 1]; ++k) {
-            auto& polygon = cells.polygonCells[index(k)];
-            if (own >= 0) polygon[0] += first[index(own)];
-            if (other >= 0) polygon[1] += first[index(other)];
-        }
-    });
-    parallelFor(probe.cellCount(), [&](Label c) {
-        for (Label k = boundary.offsets[index(c)]; k < boundary.offsets[index(c) + 1]; ++k)
-            cells.boundaryCells[index(k)] += first[index(c)];
-    });
+    numberThrough(probe, loops, boundary, first, cells);
     return cells;
 }
 

@@ -80,10 +80,10 @@ Opened open(const Face& face,
     double area = 0;
     for (const LoopPolygon& loop : all)
         area += face.area(loop);
+    CurvesOnFace curves{std::move(outlines), std::move(closed), isPlain};
     Opened result;
-    result.polygons = std::move(outlines);
-    result.holes =
-        openHoles(face.points, face.normal, isPlain, result.polygons, closed, result.needed);
+    result.holes = openHoles(face.points, face.normal, curves, result.needed);
+    result.polygons = std::move(curves.polygons);
     double opened = 0;
     for (const LoopPolygon& polygon : result.polygons) {
         opened += face.area(polygon);
@@ -155,12 +155,11 @@ TEST(OpenHoles, aLoneLoopInAPlainOutlineIsAHoleHoweverSmall) {
     Face face;
     const LoopPolygon outline = face.ring(4, 0, 0, 1, 1);
     LoopPolygon dust = face.ring(3, 0.1, 0.1, 0, -1); // no area at all
-    std::vector<LoopPolygon> polygons{outline};
-    std::vector<LoopPolygon> closed{dust};
+    CurvesOnFace curves{{outline}, {dust}, true};
     std::vector<Label> needed;
-    EXPECT_EQ(openHoles(face.points, face.normal, true, polygons, closed, needed), 1);
-    EXPECT_EQ(polygons.size(), 2U);
-    EXPECT_EQ(netEdges(polygons), netEdges({outline, dust}));
+    EXPECT_EQ(openHoles(face.points, face.normal, curves, needed), 1);
+    EXPECT_EQ(curves.polygons.size(), 2U);
+    EXPECT_EQ(netEdges(curves.polygons), netEdges({outline, dust}));
 }
 
 TEST(OpenHoles, facesSeenFromEitherSideAndAlongAnyAxis) {

@@ -91,23 +91,27 @@ void TriangleBins::forSlabs(const Polygon& polygon, int axis, Visit&& visit) con
     }
 }
 
-/// The bins of each triangle, in blocks of triangles: it is sliced by axis after axis.
+/// Slices a triangle by axis after axis.
+void TriangleBins::addPairs(const TriSurface& surface, Label t, std::vector<Pair>& pairs) const {
+    const Polygon whole{surface.corner(t, 0), surface.corner(t, 1), surface.corner(t, 2)};
+    forSlabs(whole, 0, [&](int i, const Polygon& slice) {
+        forSlabs(slice, 1, [&](int j, const Polygon& row) {
+            const auto [first, last] = rangeOf({row.data(), row.size()}, 2);
+            for (int k = first; k <= last; ++k)
+                pairs.push_back({toLabel(position(i, j, k)), t});
+        });
+    });
+}
+
+/// The bins of each triangle, in blocks of triangles.
 std::vector<std::vector<TriangleBins::Pair>>
 TriangleBins::pairsOf(const TriSurface& surface) const {
     constexpr Label block = 1024;
     const Label blocks = (surface.triangleCount() + block - 1) / block;
     std::vector<std::vector<Pair>> pairs(index(blocks));
     parallelBlocks(surface.triangleCount(), block, [&](Label b, Label first, Label last) {
-        for (Label t = first; t < last; ++t) {
-            const Polygon whole{surface.corner(t, 0), surface.corner(t, 1), surface.corner(t, 2)};
-            forSlabs(whole, 0, [&](int i, const Polygon& slice) {
-                forSlabs(slice, 1, [&](int j, const Polygon& row) {
-                    const auto [k0, k1] = rangeOf({row.data(), row.size()}, 2);
-                    for (int k = k0; k <= k1; ++k)
-                        pairs[index(b)].push_back({toLabel(position(i, j, k)), t});
-                });
-            });
-        }
+        for (Label t = first; t < last; ++t)
+            addPairs(surface, t, pairs[index(b)]);
     });
     return pairs;
 }

@@ -61,6 +61,7 @@ private:
     std::array<int, 2> rangeOf(std::span<const Vec3> polygon, int axis) const;
     template<class Polygon, class Visit>
     void forSlabs(const Polygon& polygon, int axis, Visit&& visit) const;
+    void addPairs(const TriSurface& surface, Label t, std::vector<Pair>& pairs) const;
     std::vector<std::vector<Pair>> pairsOf(const TriSurface& surface) const;
     void listTriangles(const std::vector<std::vector<Pair>>& pairs);
     void countOccupied();

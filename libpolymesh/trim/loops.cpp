@@ -54,7 +54,8 @@ void addOutline(const Plan& plan,
                 Walk& walk) {
     const Arrangement& arrangement = plan.arrangement;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-        auto winding = static_cast<int>(arrangement.winding[index(nodes[i])]);
+        const std::int8_t ofNode = arrangement.winding[index(nodes[i])];
+        int winding = ofNode;
         walk.outline.push_back({nodes[i], true, isInside(winding), isInside(winding), false});
         const Label e = edges[i];
         const bool isForward = plan.probe.edges[index(e)][0] == nodes[i];
@@ -63,7 +64,7 @@ void addOutline(const Plan& plan,
         for (Label k = 0; k < last - first; ++k) {
             const Label x = isForward ? first + k : last - 1 - k;
             const bool before = isInside(winding);
-            const auto sign = static_cast<int>(arrangement.crossings.values[index(x)].sign);
+            const int sign = arrangement.crossings.values[index(x)].sign;
             winding += isForward ? sign : -sign;
             walk.outline.push_back(
                 {arrangement.firstCrossing() + x, false, before, isInside(winding), false});

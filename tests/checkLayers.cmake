@@ -10,6 +10,7 @@ set(upTo_quality ${upTo_surface} quality)
 foreach(top IN ITEMS initial trim mps) # beside each other: none knows the others
   set(upTo_${top} ${upTo_quality} ${top})
 endforeach()
+set(upTo_shapeSplit ${upTo_mps} shapeSplit)
 set(upTo_reference ${upTo_surface} reference) # foreign meshers; only tools may include it
 
 file(GLOB folders RELATIVE ${ROOT} ${ROOT}/libpolymesh/*)

@@ -174,6 +174,20 @@ void writeFlags(OutputFile& file, Format format, const std::vector<bool>& flags)
     endText(file);
 }
 
+void writeScalars(OutputFile& file, const WriteFormat& format, std::span<const double> values) {
+    if (format.format == Format::binary) {
+        writeBinary(file, values.size(), [&] { file.write(bytesOf(values)); });
+        return;
+    }
+    const auto append = [&](std::string& text, double value) {
+        appendScalar(text, value, format.precision);
+        text += '\n';
+    };
+    beginText(file, values.size());
+    writeTextBlocks(file, toLabel(values.size()), fillFrom(values), append);
+    endText(file);
+}
+
 void writeVectors(OutputFile& file,
                   const WriteFormat& format,
                   Label count,

@@ -43,6 +43,7 @@ using Quad = std::array<Label, 4>;
 void writeLabels(OutputFile& file, Format format, Label count, const Fill<Label>& fill);
 void writeLabels(OutputFile& file, Format format, std::span<const Label> labels);
 void writeFlags(OutputFile& file, Format format, const std::vector<bool>& flags);
+void writeScalars(OutputFile& file, const WriteFormat& format, std::span<const double> values);
 void writeVectors(OutputFile& file, const WriteFormat& format, Label count, const Fill<Vec3>& fill);
 void writeVectors(OutputFile& file, const WriteFormat& format, std::span<const Vec3> vectors);
 

@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: The polymesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "libpolymesh/shapeSplit/innerPoint.h"
+
+#include "libpolymesh/geometry/box.h"
+#include "libpolymesh/geometry/predicates.h"
+#include "libpolymesh/mps/pointWithin.h"
+#include "libpolymesh/quality/starPoint.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace polymesh {
+
+namespace {
+
+/// The corners of a face as seen from inside the cell: clockwise seen from outside.
+std::vector<Vec3> inwardCorners(const MeshEditor& editor, Label cell, Label f) {
+    std::vector<Vec3> corners;
+    for (const Label p : editor.face(f).points)
+        corners.push_back(editor.point(p));
+    if (editor.face(f).owner == cell) std::ranges::reverse(corners);
+    return corners;
+}
+
+Vec3 inwardArea(MeshEditor& editor, Label cell, Label f) {
+    const Vec3& area = editor.faceGeometry(f).area;
+    return editor.face(f).owner == cell ? -area : area;
+}
+
+/// True when the triangle of a polygon's corner and its neighbours is seen from the point and no
+/// other corner lies in front of it.
+bool isEar(const std::vector<Vec3>& corners, std::size_t i, const Vec3& point) {
+    const std::size_t n = corners.size();
+    const Vec3& a = corners[(i + n - 1) % n];
+    const Vec3& b = corners[i];
+    const Vec3& c = corners[(i + 1) % n];
+    if (orient3d(a, b, c, point) <= 0) return false;
+    for (std::size_t k = (i + 2) % n; k != (i + n - 1) % n; k = (k + 1) % n)
+        if (orient3d(a, b, corners[k], point) >= 0 && orient3d(b, c, corners[k], point) >= 0 &&
+            orient3d(c, a, corners[k], point) >= 0)
+            return false;
+    return true;
+}
+
+bool seesAll(MeshEditor& editor, Label cell, const Vec3& point) {
+    return std::ranges::all_of(editor.cell(cell).faces,
+                               [&](Label f) { return isSeenFrom(editor, cell, f, point); });
+}
+
+/// Which side of a face the point has to be on.
+enum class Demand : std::uint8_t { wholeFace, everyTriangle };
+
+/// Adds the half-space behind the whole face; with `everyTriangle` those behind the triangles
+/// between its edges and its centre, unless some of these look the other way.
+void addDemand(
+    MeshEditor& editor, Label cell, Label f, Demand demand, std::vector<HalfSpace>& halfSpaces) {
+    const Vec3 area = inwardArea(editor, cell, f);
+    const Vec3 centre = editor.faceGeometry(f).centre;
+    const double size = norm(area);
+    if (size > 0) halfSpaces.push_back({area / size, centre});
+    if (demand == Demand::wholeFace) return;
+    const std::vector<Vec3> corners = inwardCorners(editor, cell, f);
+    const std::size_t first = halfSpaces.size();
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Vec3& a = corners[i];
+        const Vec3& b = corners[(i + 1) % corners.size()];
+        if (dot(cross(b - a, centre - a), area) <= 0) {
+            halfSpaces.resize(first);
+            return;
+        }
+        addHalfSpace(b - a, centre - a, a, halfSpaces);
+    }
+}
+
+/// First any point within, so that little time is lost where there is none; then one farther in.
+std::optional<Vec3>
+pointWellWithin(const std::vector<HalfSpace>& halfSpaces, const Vec3& start, double size) {
+    const auto any = pointWithin(halfSpaces, start, 1e-3 * size, {.moves = 200, .margins = 1});
+    if (!any) return std::nullopt;
+    return pointWithin(halfSpaces, *any, size, {.moves = 60, .margins = 6});
+}
+
+/// The point of a grid round the cell that sees all faces and is farthest from the planes through
+/// their centres: finds what has room, of whatever form it is.
+std::optional<Vec3> gridPoint(MeshEditor& editor, Label cell) {
+    constexpr int divisions = 9;
+    const double least = 1e-4 * editor.cell(cell).size;
+    std::vector<HalfSpace> behind;
+    Box box;
+    for (const Label f : editor.cell(cell).faces) {
+        addDemand(editor, cell, f, Demand::wholeFace, behind);
+        for (const Label p : editor.face(f).points)
+            box.add(editor.point(p));
+    }
+    const auto height = [&](const Vec3& p) {
+        double lowest = std::numeric_limits<double>::max();
+        for (const HalfSpace& h : behind)
+            lowest = std::min(lowest, dot(h.normal, p - h.at));
+        return lowest;
+    };
+    const Vec3 step = box.size() / divisions;
+    std::vector<std::pair<double, Vec3>> candidates;
+    for (int i = 0; i < divisions; ++i)
+        for (int j = 0; j < divisions; ++j)
+            for (int k = 0; k < divisions; ++k) {
+                const Vec3 p =
+                    box.min + Vec3{(i + 0.5) * step.x, (j + 0.5) * step.y, (k + 0.5) * step.z};
+                if (const double h = height(p); h > least) candidates.emplace_back(-h, p);
+            }
+    std::ranges::sort(candidates);
+    for (const auto& [h, p] : candidates)
+        if (seesAll(editor, cell, p)) return p;
+    return std::nullopt;
+}
+
+} // namespace
+
+// Cuts off ears until a triangle is left; a polygon that does not cross itself always has one.
+bool isSimpleSeenFrom(std::vector<Vec3> corners, const Vec3& point) {
+    while (corners.size() > 3) {
+        std::size_t i = 0;
+        while (i < corners.size() && !isEar(corners, i, point))
+            ++i;
+        if (i == corners.size()) return false;
+        corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+    return orient3d(corners[0], corners[1], corners[2], point) > 0;
+}
+
+bool isSeenFrom(MeshEditor& editor, Label cell, Label face, const Vec3& point) {
+    constexpr double rounding = 1e-10; // of a volume: corners in one line make no triangle
+    const double size = editor.cell(cell).size;
+    return dot(inwardArea(editor, cell, face), point - editor.faceGeometry(face).centre) >
+               rounding * size * size * size &&
+           isSimpleSeenFrom(inwardCorners(editor, cell, face), point);
+}
+
+std::optional<Vec3> innerPoint(MeshEditor& editor, Label cell) {
+    if (const auto found = starPoint(editor, cell); found && seesAll(editor, cell, *found))
+        return found;
+    using enum Demand;
+    for (const auto& [onShared, onBoundary] : {std::pair{everyTriangle, everyTriangle},
+                                               std::pair{everyTriangle, wholeFace},
+                                               std::pair{wholeFace, everyTriangle},
+                                               std::pair{wholeFace, wholeFace}}) {
+        std::vector<HalfSpace> halfSpaces;
+        for (const Label f : editor.cell(cell).faces)
+            addDemand(
+                editor, cell, f, editor.face(f).isBoundary() ? onBoundary : onShared, halfSpaces);
+        const auto found =
+            pointWellWithin(halfSpaces, editor.cellGeometry(cell).centre, editor.cell(cell).size);
+        if (found && seesAll(editor, cell, *found)) return found;
+    }
+    return gridPoint(editor, cell);
+}
+
+std::optional<Vec3> pointBehindFaces(MeshEditor& editor, Label cell) {
+    std::vector<HalfSpace> halfSpaces;
+    for (const Label f : editor.cell(cell).faces)
+        addDemand(editor, cell, f, Demand::wholeFace, halfSpaces);
+    return pointWellWithin(halfSpaces, editor.cellGeometry(cell).centre, editor.cell(cell).size);
+}
+
+} // namespace polymesh

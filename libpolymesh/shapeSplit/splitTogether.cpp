@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: The polymesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "libpolymesh/shapeSplit/splitTogether.h"
+
+#include "libpolymesh/quality/cellTopology.h"
+#include "libpolymesh/quality/starPoint.h"
+#include "libpolymesh/shapeSplit/editedShape.h"
+#include "libpolymesh/shapeSplit/innerPoint.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace polymesh {
+
+namespace {
+
+/// Removes the faces between the cells and gives those of `other` to `cell`.
+void unite(MeshEditor& editor, Label cell, Label other) {
+    const auto faces = editor.cell(other).faces; // a copy: giving faces away changes the list
+    for (const Label f : faces)
+        if (editor.otherCell(f, other) == cell)
+            editor.removeFace(f);
+        else
+            editor.giveFace(f, other, cell);
+}
+
+/// Gives all faces of a cell to one that has none.
+void rename(MeshEditor& editor, Label from, Label to) {
+    const auto faces = editor.cell(from).faces; // a copy: giving faces away changes the list
+    for (const Label f : faces)
+        editor.giveFace(f, from, to);
+}
+
+/// True when a point that the cells share is used by them alone, on the faces between them: it
+/// would be left without a face.
+bool hasPointBetween(const MeshEditor& editor, Label cell, Label other) {
+    for (const Label f : editor.cell(cell).faces) {
+        if (editor.otherCell(f, cell) != other) continue;
+        for (const Label p : editor.face(f).points)
+            if (std::ranges::all_of(editor.facesOfPoint(p), [&](Label g) {
+                    const EditFace& face = editor.face(g);
+                    return std::minmax(face.owner, face.neighbour) == std::minmax(cell, other);
+                }))
+                return true;
+    }
+    return false;
+}
+
+} // namespace
+
+bool splitTogether(MeshEditor& editor, Label cell, Label other, bool mayFold) {
+    if (hasPointBetween(editor, cell, other)) return false;
+    const MeshEditor::Mark mark = editor.mark();
+    unite(editor, cell, other);
+    if (cellShape(editor.mesh(), cell) == CellShape::ball && !hasLargeFace(editor, cell)) {
+        auto apex = innerPoint(editor, cell);
+        if (!apex && mayFold) apex = pointBehindFaces(editor, cell);
+        if (apex) {
+            const std::vector<Label> pyramids = makePyramids(editor, cell, *apex);
+            rename(editor, pyramids.back(), other);
+            return true;
+        }
+    }
+    editor.undoTo(mark);
+    return false;
+}
+
+} // namespace polymesh

@@ -5,6 +5,7 @@
 #include "libpolymesh/mesh/cellGeometry.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace polymesh {
 
@@ -39,11 +40,25 @@ Vec3 unitNormal(const Recognition& cell, std::size_t face, std::span<const Vec3>
     return size > 0 ? area / size : area;
 }
 
-/// The more, the more nearly the faces that should be opposite are.
-double oppositeness(const Recognition& cell, std::span<const Vec3> points) {
+/// True for a face of the hexahedron whose opposite is gone (of sammTrim5).
+bool isSingle(const BaseShapeTable& table, std::uint8_t face) {
+    const auto holds = [&](const auto& pair) { return pair[0] == face || pair[1] == face; };
+    return std::ranges::none_of(table.oppositeFaces, holds) &&
+           std::ranges::find(table.cutFaces, face) == table.cutFaces.end();
+}
+
+/// The more, the more nearly the faces that should be opposite are, and the more nearly upright on
+/// them those are that should be beside them.
+double likeness(const Recognition& cell, std::span<const Vec3> points) {
+    const BaseShapeTable& table = tableOf(cell.base);
     double sum = 0;
-    for (const auto& [one, other] : tableOf(cell.base).oppositeFaces)
-        sum -= dot(unitNormal(cell, one, points), unitNormal(cell, other, points));
+    for (const auto& [one, other] : table.oppositeFaces) {
+        const Vec3 a = unitNormal(cell, one, points);
+        const Vec3 b = unitNormal(cell, other, points);
+        sum -= dot(a, b);
+        for (std::uint8_t f = 0; f < table.faces.size(); ++f)
+            if (isSingle(table, f)) sum -= std::abs(dot(unitNormal(cell, f, points), a - b)) / 2;
+    }
     return sum;
 }
 
@@ -86,8 +101,7 @@ public:
 private:
     double scoreOf(const Recognition& way) const {
         constexpr double known = 100; // more than any sum of cosines
-        return oppositeness(way, points_) +
-               (!cutFace_.empty() && isCut(way, cutFace_) ? known : 0.0);
+        return likeness(way, points_) + (!cutFace_.empty() && isCut(way, cutFace_) ? known : 0.0);
     }
 
     void keepIfBetter(const Recognition& way) {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/star/starFiles.h"
 
-#include "formats/fileBytes.h"
 #include "formats/star/couples.h"
+#include "formats/star/fileTexts.h"
 #include "formats/star/patches.h"
 #include "formats/textScanner.h"
 #include "libpolymesh/base/error.h"
@@ -26,14 +26,34 @@ fs::path withEnding(const fs::path& prefix, const char* ending) {
     return path;
 }
 
-BoundaryRecords readBoundary(const fs::path& path, const CellMesh& mesh, Version version) {
-    if (!fs::exists(path)) return {};
-    const TextFile file(path);
-    return version == Version::v4 ? readBoundary4(file, mesh) : readBoundary3(file, mesh);
+std::optional<TextFile> readIfThere(const fs::path& path) {
+    return fs::exists(path) ? std::optional<TextFile>(path) : std::nullopt;
 }
 
-Names readNamesOf(const fs::path& path) {
-    return fs::exists(path) ? readNames(readBytes(path)) : Names{};
+FileTexts readSet(const fs::path& prefix, Version version) {
+    return {TextFile(withEnding(prefix, ".vrt")),
+            TextFile(withEnding(prefix, ".cel")),
+            readIfThere(withEnding(prefix, ".bnd")),
+            readIfThere(withEnding(prefix, ".inp")),
+            version == Version::v3 ? readIfThere(withEnding(prefix, ".cpl")) : std::nullopt};
+}
+
+CellRecords readCells(const FileTexts& texts, const Vertices& vertices, Version version) {
+    const TextFile& file = texts.cells;
+    CellRecords cells =
+        version == Version::v4 ? readCells4(file, vertices) : readCells3(file, vertices);
+    require(cells.count() > 0, "{}: no cells", file.name);
+    if (const auto repeated = NumberMap(cells.numbers).repeated())
+        file.fail(cells.places[index(*repeated)],
+                  fmt::format("cell {} is there already", cells.numbers[index(*repeated)]));
+    if (texts.couples) joinCouples(*texts.couples, cells);
+    return cells;
+}
+
+BoundaryRecords readBoundary(const FileTexts& texts, const CellMesh& mesh, Version version) {
+    if (!texts.boundary) return {};
+    return version == Version::v4 ? readBoundary4(*texts.boundary, mesh)
+                                  : readBoundary3(*texts.boundary, mesh);
 }
 
 void addCellNotes(const CellRecords& cells, std::vector<std::string>& notes) {
@@ -74,22 +94,15 @@ fs::path prefixOf(const fs::path& name) {
     return isFile ? fs::path(name).replace_extension() : name;
 }
 
-StarMesh read(const fs::path& prefix, Version version, double scale) {
-    Vertices vertices = readVertices(TextFile(withEnding(prefix, ".vrt")), version, scale);
-    const TextFile cellFile(withEnding(prefix, ".cel"));
-    CellRecords cells =
-        version == Version::v4 ? readCells4(cellFile, vertices) : readCells3(cellFile, vertices);
-    require(cells.count() > 0, "{}: no cells", cellFile.name);
-    if (const auto repeated = NumberMap(cells.numbers).repeated())
-        cellFile.fail(cells.places[index(*repeated)],
-                      fmt::format("cell {} is there already", cells.numbers[index(*repeated)]));
-    const fs::path couples = withEnding(prefix, ".cpl");
-    if (version == Version::v3 && fs::exists(couples)) joinCouples(TextFile(couples), cells);
-    FacePairs pairs = pairFaces(cellFile, vertices.points, cells);
-    const BaffleSides baffles = openBaffles(cellFile, cells, pairs);
+StarMesh read(FileTexts texts, Version version, double scale) {
+    Vertices vertices = readVertices(texts.vertices, version, scale);
+    texts.vertices.bytes = {}; // no place in them is asked for any more
+    CellRecords cells = readCells(texts, vertices, version);
+    FacePairs pairs = pairFaces(texts.cells, vertices.points, cells);
+    const BaffleSides baffles = openBaffles(texts.cells, cells, pairs);
     const CellMesh cellMesh{vertices, cells, pairs, baffles};
-    const BoundaryRecords boundary = readBoundary(withEnding(prefix, ".bnd"), cellMesh, version);
-    const Names names = readNamesOf(withEnding(prefix, ".inp"));
+    const BoundaryRecords boundary = readBoundary(texts, cellMesh, version);
+    const Names names = texts.names ? readNames(texts.names->bytes) : Names{};
     PatchFaces patches = patchesOf(cellMesh, boundary, names, version);
     StarMesh result;
     addCellNotes(cells, result.notes);
@@ -99,6 +112,10 @@ StarMesh read(const fs::path& prefix, Version version, double scale) {
     result.mesh.cellZones = zonesOf(cells, names);
     addPointNote(pointsRead, result.mesh, result.notes);
     return result;
+}
+
+StarMesh read(const fs::path& prefix, Version version, double scale) {
+    return read(readSet(prefix, version), version, scale);
 }
 
 } // namespace polymesh::star

@@ -8,6 +8,7 @@
 #include "formats/star/regionTypes.h"
 #include "libpolymesh/base/error.h"
 #include "libpolymesh/base/parallel.h"
+#include "libpolymesh/shapes/parentFit.h"
 #include "libpolymesh/shapes/recognise.h"
 
 #include <algorithm>
@@ -56,6 +57,24 @@ std::optional<Recognition> recogniseCell(const MeshToWrite& mesh, Label cell) {
     return recognise(mesh.mesh, mesh.cellFaces[cell], cell);
 }
 
+/// The points of the only boundary face of a cell, which then is the one that was cut; empty for
+/// cells that have none or more.
+std::span<const Label> cutFace(const MeshToWrite& mesh, Label cell) {
+    std::span<const Label> cut;
+    for (const Label f : mesh.cellFaces[cell]) {
+        if (mesh.mesh.isInternal(f)) continue;
+        if (!cut.empty()) return {};
+        cut = mesh.mesh.faces[f];
+    }
+    return cut;
+}
+
+/// Trimmed cells are stored as what is left of a hexahedron, so that is looked for.
+Recognition fitted(const MeshToWrite& mesh, Label cell, const Recognition& found) {
+    if (formOf(found.base) == nullptr) return found;
+    return fitToParent(found, mesh.mesh.points, cutFace(mesh, cell));
+}
+
 void refuseUnknownCells(const MeshToWrite& mesh) {
     const Label unknown = parallelSum(mesh.mesh.cellCount, Label{0}, [&](Label c) {
         return recogniseCell(mesh, c) ? Label{0} : Label{1};
@@ -84,7 +103,7 @@ void writeCells3(foam::OutputFile& file, const MeshToWrite& mesh) {
     refuseUnknownCells(mesh);
     writeElements(file, mesh.mesh.cellCount, [&](std::string& text, Label cell) {
         const auto recognised = recogniseCell(mesh, cell);
-        appendCell(text, cell + 1, mesh.tables[index(cell)], *recognised);
+        appendCell(text, cell + 1, mesh.tables[index(cell)], fitted(mesh, cell, *recognised));
     });
     writeElements(file, toLabel(mesh.baffles.size()), [&](std::string& text, Label i) {
         std::array<Label, 8> labels{};

@@ -164,12 +164,11 @@ TEST(Star3, readsBackMeshesOfManyCells) {
     }
 }
 
-TEST(Star3, writesTheColumnsOfProStar) {
+TEST(Star3, writesCellsInTheColumnsOfProStar) {
     PolyMesh mesh = meshOfShape(Catalogue::instance().shapes().front());
     for (const CatalogueShape& shape : Catalogue::instance().shapes())
         if (shape.base == BaseShape::sammTrim1 && shape.collapsed.empty())
             mesh = meshOfShape(shape);
-    mesh.points[0] = {-1.0 / 3e5, 12345.678901234567, 0};
     mesh.patches[0].type = "wall";
     const Texts texts = written(mesh);
     for (const std::string& line : linesOf(texts.at(".cel"))) {
@@ -184,15 +183,20 @@ TEST(Star3, writesTheColumnsOfProStar) {
     EXPECT_EQ(cells[0].substr(15, 9), "        0") << "corner 0 is cut away";
     EXPECT_EQ(cells[2].substr(15 + 5 * 9, 27), "        1        0        0")
         << "type, -, rotation";
-    const std::string vertex = linesOf(texts.at(".vrt")).front();
+    const std::string boundary = linesOf(texts.at(".bnd")).front();
+    EXPECT_EQ(boundary.substr(0, 14), "       1      ");
+    EXPECT_EQ(boundary.substr(50), "      1      0      WALL");
+}
+
+TEST(Star3, writesVerticesInColumnsThatDoNotTouch) {
+    PolyMesh mesh = box(1, 1, 1);
+    mesh.points[0] = {-1.0 / 3e5, 12345.678901234567, 0};
+    const std::string vertex = linesOf(written(mesh)[".vrt"]).front();
     EXPECT_EQ(vertex.size(), 63) << vertex;
     EXPECT_EQ(vertex.substr(0, 15), "        1      ");
     EXPECT_NEAR(std::stod(vertex.substr(15, 16)), -1.0 / 3e5, 1e-14);
     EXPECT_NEAR(std::stod(vertex.substr(31, 16)), 12345.678901234567, 1e-8);
     EXPECT_EQ(vertex.substr(47, 16), "             0.0");
-    const std::string boundary = linesOf(texts.at(".bnd")).front();
-    EXPECT_EQ(boundary.substr(0, 14), "       1      ");
-    EXPECT_EQ(boundary.substr(50), "      1      0      WALL");
 }
 
 TEST(Star3, trimmedFacesLieOnTheSidesThatTheirNumbersSay) {

@@ -133,12 +133,12 @@ std::int64_t workForSequences(std::size_t failing) {
     return failing > manyFail ? 20000 : 80000;
 }
 
-/// Whether a neighbour of a cell may not be changed: in a part of a mesh, a cell at its seam, which
-/// is looked at again with what is beyond.
-bool isBesideFrozen(const MeshEditor& editor, Label cell) {
+/// Whether a cell lies at the seam of a part of a mesh: it is looked at again with what is beyond.
+bool isAtSeam(const MeshEditor& editor, Label cell) {
     const auto& faces = editor.cell(cell).faces;
     return std::any_of(faces.begin(), faces.end(), [&](Label f) {
-        return editor.isFrozen(editor.otherCell(f, cell));
+        const Label other = editor.otherCell(f, cell);
+        return other >= 0 && editor.cell(other).inOtherPart;
     });
 }
 
@@ -150,7 +150,7 @@ void mendBySequences(MeshEditor& editor,
                      RepairCounts& counts) {
     constexpr int maxVisits = 4;
     std::vector<Label> failing = stillFailing(editor, cells);
-    std::erase_if(failing, [&](Label c) { return isBesideFrozen(editor, c); });
+    std::erase_if(failing, [&](Label c) { return isAtSeam(editor, c); });
     std::deque<Label> queue(failing.begin(), failing.end());
     std::map<Label, int> visits;
     while (!queue.empty() && !budget.isSpent()) {

@@ -16,11 +16,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string> forms{"foam", "star4", "star3"};
+/// Words for each form; the first is the one that messages use.
+const std::vector<std::string> forms{
+    "foam", "star4", "star3", "openfoam", "v4", "v3", "starcd4", "starcd3"};
 
-MeshForm formNamed(const std::string& name) {
-    if (name == "star4") return MeshForm::star4;
-    return name == "star3" ? MeshForm::star3 : MeshForm::foam;
+MeshForm formNamed(const Settings& settings, const std::string& option) {
+    const std::string word = settings.word(option, forms, "");
+    if (word.ends_with('4')) return MeshForm::star4;
+    return word.ends_with('3') ? MeshForm::star3 : MeshForm::foam;
 }
 
 bool isStar(MeshForm form) {
@@ -32,7 +35,7 @@ star::Version versionOf(MeshForm form) {
 }
 
 MeshForm formOfInput(const Settings& settings) {
-    if (settings.has("from")) return formNamed(settings.word("from", forms, ""));
+    if (settings.has("from")) return formNamed(settings, "from");
     const fs::path path = settings.text("in");
     if (fs::is_directory(path / "constant")) return MeshForm::foam;
     const auto version = star::versionOf(star::prefixOf(path));
@@ -46,7 +49,7 @@ MeshForm formOfInput(const Settings& settings) {
 }
 
 MeshForm formOfOutput(const Settings& settings, MeshForm in) {
-    if (settings.has("to")) return formNamed(settings.word("to", forms, ""));
+    if (settings.has("to")) return formNamed(settings, "to");
     const fs::path path = settings.text("out");
     if (star::prefixOf(path) != path) return MeshForm::star4;
     return fs::is_directory(path) || isStar(in) ? MeshForm::foam : MeshForm::star4;

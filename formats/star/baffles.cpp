@@ -10,6 +10,7 @@ namespace {
 
 std::vector<FaceView> sortedViews(const Rows<Label>& loops) {
     std::vector<FaceView> views;
+    views.reserve(index(loops.size()));
     for (Label i = 0; i < loops.size(); ++i)
         views.emplace_back(loops[i], i);
     std::sort(views.begin(), views.end());

@@ -39,6 +39,7 @@ void pairAtPoint(const Rows<Label>& faces,
                  std::vector<FaceView>& views,
                  std::vector<Label>& partner) {
     views.clear();
+    views.reserve(candidates.size());
     for (const Label f : candidates)
         views.emplace_back(faces[f], f);
     std::sort(views.begin(), views.end());
@@ -183,7 +184,7 @@ private:
 } // namespace
 
 FacePairs pairFaces(const TextFile& file, const std::vector<Vec3>& points, CellRecords& cells) {
-    const FacePairs pairs{cellsOfFaces(cells), partnersOf(cells.faces, points.size())};
+    FacePairs pairs{cellsOfFaces(cells), partnersOf(cells.faces, points.size())};
     PairCheck check(file, points, cells, pairs);
     check.refuseShared();
     check.turnCells();

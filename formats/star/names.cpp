@@ -3,6 +3,7 @@
 #include "formats/star/names.h"
 
 #include "formats/star/regionTypes.h"
+#include "libpolymesh/surface/regions.h"
 
 #include <fmt/format.h>
 
@@ -40,16 +41,32 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(separators) + 1 - first);
 }
 
+/// Whether the text can stand before the semicolon of a dictionary entry: whoever edits the file
+/// must not be able to spoil the dictionary that it comes into.
+bool isValue(std::string_view text) {
+    std::string open; // brackets that wait for their ends
+    for (const char c : text) {
+        if (c == '(' || c == '{') open += c == '(' ? ')' : '}';
+        if (c == ')' || c == '}') {
+            if (open.empty() || open.back() != c) return false;
+            open.pop_back();
+        }
+        if ((c == ';' && open.empty()) || c == '"' || c == '/' || c == '#') return false;
+    }
+    return open.empty() && !text.empty();
+}
+
 void readComment(std::string_view line, Names& names) {
     const std::optional<Label> number = takeNumber(line);
     if (!number) return;
     const std::string_view what = takeWord(line);
     Names::Region& region = names.regions[*number];
     if (what == "type") {
-        region.foamType = takeWord(line);
+        region.foamType = toWord(takeWord(line));
     } else if (what == "entry") {
-        const std::string_view key = takeWord(line);
-        if (!key.empty()) region.entries.emplace_back(key, trimmed(line));
+        const std::string key = toWord(takeWord(line));
+        const std::string_view value = trimmed(line);
+        if (!key.empty() && isValue(value)) region.entries.emplace_back(key, value);
     }
 }
 

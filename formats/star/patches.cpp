@@ -20,7 +20,8 @@ constexpr const char* defaultPatch = "Default_Boundary_Region";
 class UniqueNames {
 public:
     std::string add(const std::string& wanted) {
-        const std::string word = toWord(wanted);
+        std::string word = toWord(wanted);
+        if (word.empty()) word = "unnamed";
         std::string name = word;
         for (int& i = uses_[word]; !used_.insert(name).second;)
             name = fmt::format("{}_{}", word, ++i + 1);

@@ -63,6 +63,7 @@ CellTable cellTableOf(const PolyMesh& mesh) {
 std::vector<Label>
 coincidentFaces(const PolyMesh& mesh, Label mostVertices, std::vector<std::string>& notes) {
     std::vector<FaceView> views;
+    views.reserve(index(mesh.faceCount() - mesh.internalFaceCount()));
     for (Label f = mesh.internalFaceCount(); f < mesh.faceCount(); ++f)
         views.emplace_back(mesh.faces[f], f);
     std::sort(views.begin(), views.end());

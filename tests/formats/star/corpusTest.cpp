@@ -4,6 +4,8 @@
 #include "tests/formats/star/starTestSupport.h"
 #include "tests/fuzz/starFuzz.h"
 
+#include <random>
+
 namespace polymesh::star {
 
 TEST(StarCorpus, isReadOrRefusedAsItsNamesSay) {
@@ -25,6 +27,34 @@ TEST(StarCorpus, isReadOrRefusedAsItsNamesSay) {
         ++count;
     }
     EXPECT_GE(count, 4);
+}
+
+/// What a fuzzer does, a little of it and always the same: bytes of the files are changed, taken
+/// away, doubled and swapped.
+TEST(StarCorpus, withAnyChangeIsReadOrRefused) {
+    std::mt19937 random(1);
+    for (const auto& entry :
+         std::filesystem::directory_iterator(std::filesystem::path(POLYMESH_CORPUS) / "star")) {
+        const bool isVersion4 = entry.path().extension() == ".star4";
+        const std::string given = test::readText(entry.path());
+        for (int i = 0; i < 500; ++i) {
+            std::string text = given;
+            for (std::size_t changes = 1 + random() % 3; changes > 0; --changes) {
+                const std::size_t at = random() % text.size();
+                const std::size_t size = 1 + random() % 12;
+                const std::string other = text.substr(random() % text.size(), size);
+                constexpr std::string_view bytes = "0123456789-+. \n\fe{";
+                if (random() % 2 == 0)
+                    text[at] = bytes[random() % bytes.size()];
+                else
+                    text.replace(at, random() % 2 == 0 ? size : 0, other);
+            }
+            // Ends the program when a law is broken.
+            fuzz::testStar(reinterpret_cast<const std::uint8_t*>(text.data()),
+                           text.size(),
+                           isVersion4 ? Version::v4 : Version::v3);
+        }
+    }
 }
 
 } // namespace polymesh::star

@@ -179,6 +179,20 @@ TEST(Star4, makesZonesOfTheCellTable) {
     EXPECT_EQ(patchSize(named.mesh, "sidewalls"), 2);
 }
 
+TEST(Star4, doesNotLetNamesSpoilDictionaries) {
+    Texts texts = twoCubes();
+    texts[".inp"] = "rname 1 ()\nrname 3 a;b {c}\n! polymesh region 1 type wall;}\n"
+                    "! polymesh region 1 entry inGroups 1(a)\n! polymesh region 1 entry a 1; b 2\n"
+                    "! polymesh region 1 entry a )(\n! polymesh region 1 entry a { b 2; }\n";
+    const PolyMesh mesh = readTexts(texts, Version::v4).mesh;
+    EXPECT_FALSE(mesh.patches[0].name.empty());
+    EXPECT_EQ(mesh.patches[1].name, "abc");
+    EXPECT_EQ(mesh.patches[0].type, "wall");
+    EXPECT_EQ(mesh.patches[0].entries,
+              (std::vector<std::pair<std::string, std::string>>{{"inGroups", "1(a)"},
+                                                                {"a", "{ b 2; }"}}));
+}
+
 TEST(Star4, partsCellsAtBafflesAndLeavesOutShells) {
     Texts texts = twoCubes();
     texts[".cel"] +=

@@ -65,7 +65,7 @@ void addCellNotes(const CellRecords& cells, std::vector<std::string>& notes) {
         notes.push_back(fmt::format("{} solid cells are cells like the fluid ones: the mesh has "
                                     "no place for their material, only for their zone",
                                     cells.solidCells));
-    if (cells.baffles.size() > 0)
+    if (!cells.baffles.empty())
         notes.push_back(
             fmt::format("{} baffles became two boundary faces each", cells.baffles.size()));
 }

@@ -90,12 +90,9 @@ void appendPolyhedron(CellText& text, const MeshToWrite& mesh, Label cell) {
     text.add(offset);
     for (const Label f : faces) {
         const auto loop = poly.faces[f];
-        if (poly.owner[index(f)] == cell)
-            for (const Label p : loop)
-                text.add(p + 1);
-        else
-            for (auto p = loop.rbegin(); p != loop.rend(); ++p)
-                text.add(*p + 1);
+        const bool isOutward = poly.owner[index(f)] == cell;
+        for (std::size_t i = 0; i < loop.size(); ++i)
+            text.add(loop[isOutward ? i : loop.size() - 1 - i] + 1);
     }
 }
 

@@ -89,6 +89,8 @@ bool isEdgeOfCells(const MeshEditor& editor, Label f, Label a, Label b) {
            (face.neighbour >= 0 && cellHasEdge(editor, face.neighbour, a, b));
 }
 
+constexpr double leastRoundness = 1e-5; // a part with less is corners in one line
+
 struct Chord {
     Label a = -1;
     Label b = -1;
@@ -97,9 +99,10 @@ struct Chord {
 std::optional<Chord> roundestChord(const MeshEditor& editor, Label f, std::size_t most) {
     const Polygon& points = editor.face(f).points;
     const std::size_t n = points.size();
-    const Vec3 normal = geometryOf(editor, points).area;
+    const Vec3 area = geometryOf(editor, points).area;
+    const Vec3 normal = area / std::max(norm(area), std::numeric_limits<double>::min());
     std::optional<Chord> best;
-    double bestRoundness = 0;
+    double bestRoundness = leastRoundness;
     for (std::size_t i = 0; i < n; ++i)
         for (std::size_t j = i + 2; j < n && (i > 0 || j + 1 < n); ++j) {
             // One cut is to be enough where it can be; else it takes off as much as is allowed.
@@ -189,7 +192,7 @@ std::optional<Vec3> middleOfVolume(const MeshEditor& editor,
 /// The corners begun where the parts that meet in the middle are the roundest.
 Polygon begunForRoundParts(const MeshEditor& editor, const Polygon& points, std::size_t parts) {
     const FaceGeometry face = geometryOf(editor, points);
-    const auto leastRoundness = [&](const Polygon& corners) {
+    const auto leastOf = [&](const Polygon& corners) {
         double least = std::numeric_limits<double>::max();
         for (std::size_t k = 0; k < parts; ++k) {
             const Polygon part = slice(corners,
@@ -206,7 +209,7 @@ Polygon begunForRoundParts(const MeshEditor& editor, const Polygon& points, std:
     Polygon turned = points;
     for (std::size_t i = 1; i < points.size() && parts < points.size(); ++i) {
         std::rotate(turned.begin(), turned.begin() + 1, turned.end());
-        if (leastRoundness(turned) > leastRoundness(best)) best = turned;
+        if (leastOf(turned) > leastOf(best)) best = turned;
     }
     return best;
 }
@@ -238,6 +241,12 @@ bool arePartsSimple(const MeshEditor& editor,
     });
 }
 
+/// True when a point is not so far from the face that it would make a spike of it.
+bool isLow(const MeshEditor& editor, const Polygon& points, const Vec3& place) {
+    const FaceGeometry face = geometryOf(editor, points);
+    return squaredNorm(place - face.centre) < 0.03 * norm(face.area);
+}
+
 } // namespace
 
 bool isPlane(const MeshEditor& editor, Label f) {
@@ -249,6 +258,19 @@ bool isPlane(const MeshEditor& editor, Label f) {
         return std::abs(dot(face.area, editor.point(p) - face.centre)) <=
                rounding * area * std::sqrt(area);
     });
+}
+
+bool isStarShaped(const MeshEditor& editor, Label f) {
+    constexpr double rounding = 1e-6; // edges in line with the centre are as bad
+    const Polygon& points = editor.face(f).points;
+    const FaceGeometry face = geometryOf(editor, points);
+    const double least = rounding * squaredNorm(face.area);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Vec3& a = editor.point(points[i]);
+        const Vec3& b = editor.point(points[(i + 1) % points.size()]);
+        if (dot(cross(b - a, face.centre - a), face.area) <= least) return false;
+    }
+    return true;
 }
 
 bool cutByChords(MeshEditor& editor, Label f, std::size_t most) {
@@ -266,6 +288,12 @@ bool cutFromCorner(MeshEditor& editor, Label f, std::size_t corner) {
     if (n <= 3 || editor.isFrozenFace(f)) return false;
     for (std::size_t k = 2; k + 1 < n; ++k)
         if (isEdgeOfCells(editor, f, from, points[(corner + k) % n])) return false;
+    const Vec3 area = geometryOf(editor, points).area;
+    for (std::size_t k = 1; k + 1 < n; ++k)
+        if (roundness(editor,
+                      Polygon{from, points[(corner + k) % n], points[(corner + k + 1) % n]},
+                      area / norm(area)) < leastRoundness)
+            return false;
     Label rest = f;
     for (std::size_t k = 2; k + 1 < n; ++k) {
         splitFace(editor, rest, from, points[(corner + k) % n]);
@@ -303,7 +331,8 @@ bool cutByChordsKeepingVolume(MeshEditor& editor, Label f, std::size_t most) {
         });
         const Polygon points = editor.face(largest).points;
         const auto place = middleOfVolume(editor, points, points.size(), -gained);
-        if (place && arePartsSimple(editor, points, points.size(), *place)) {
+        if (place && isLow(editor, points, *place) &&
+            arePartsSimple(editor, points, points.size(), *place)) {
             const Label middle = editor.addPoint(*place, PointRank::surface);
             replaceByParts(editor, largest, partsFromMiddle(points, points.size(), middle));
             return true;

@@ -31,6 +31,10 @@ bool cutFromMiddle(MeshEditor& editor, Label face, std::size_t count, Parts part
 /// of the polygons becomes triangles round a new point. Nothing is changed when it is false.
 bool cutByChordsKeepingVolume(MeshEditor& editor, Label face, std::size_t most);
 
+/// True when the face's centre sees all of its edges, so that a pyramid on it has its centre
+/// inside.
+bool isStarShaped(const MeshEditor& editor, Label face);
+
 /// Cuts a face into triangles by chords from its corner with that number, counted round it, for
 /// both its cells. False, and nothing is changed, when a chord is an edge of one of them already or
 /// the face is frozen or a triangle.

@@ -30,6 +30,15 @@ Vec3 inwardArea(MeshEditor& editor, Label cell, Label f) {
     return editor.face(f).owner == cell ? -area : area;
 }
 
+/// True when the pyramid from the point to the face has a positive volume that is not only
+/// rounding, as on corners in one line.
+bool isBehind(MeshEditor& editor, Label cell, Label f, const Vec3& point) {
+    constexpr double rounding = 1e-10;
+    const double size = editor.cell(cell).size;
+    return dot(inwardArea(editor, cell, f), point - editor.faceGeometry(f).centre) >
+           rounding * size * size * size;
+}
+
 /// True when the triangle of a polygon's corner and its neighbours is seen from the point and no
 /// other corner lies in front of it.
 bool isEar(const std::vector<Vec3>& corners, std::size_t i, const Vec3& point) {
@@ -83,9 +92,9 @@ pointWellWithin(const std::vector<HalfSpace>& halfSpaces, const Vec3& start, dou
     return pointWithin(halfSpaces, *any, size, {.moves = 60, .margins = 6});
 }
 
-/// The point of a grid round the cell that sees all faces and is farthest from the planes through
-/// their centres: finds what has room, of whatever form it is.
-std::optional<Vec3> gridPoint(MeshEditor& editor, Label cell) {
+/// The points of a grid round the cell that are behind all faces, those farthest from the planes
+/// through the faces' centres first.
+std::vector<Vec3> pointsOfGrid(MeshEditor& editor, Label cell) {
     constexpr int divisions = 9;
     const double least = 1e-4 * editor.cell(cell).size;
     std::vector<HalfSpace> behind;
@@ -102,16 +111,23 @@ std::optional<Vec3> gridPoint(MeshEditor& editor, Label cell) {
         return lowest;
     };
     const Vec3 step = box.size() / divisions;
-    std::vector<std::pair<double, Vec3>> candidates;
-    for (int i = 0; i < divisions; ++i)
-        for (int j = 0; j < divisions; ++j)
-            for (int k = 0; k < divisions; ++k) {
-                const Vec3 p =
-                    box.min + Vec3{(i + 0.5) * step.x, (j + 0.5) * step.y, (k + 0.5) * step.z};
-                if (const double h = height(p); h > least) candidates.emplace_back(-h, p);
-            }
-    std::ranges::sort(candidates);
-    for (const auto& [h, p] : candidates)
+    std::vector<std::pair<double, Vec3>> found;
+    for (int i = 0; i < divisions * divisions * divisions; ++i) {
+        const Vec3 p = box.min + Vec3{(i % divisions + 0.5) * step.x,
+                                      (i / divisions % divisions + 0.5) * step.y,
+                                      (i / (divisions * divisions) + 0.5) * step.z};
+        if (const double h = height(p); h > least) found.emplace_back(-h, p);
+    }
+    std::ranges::sort(found);
+    std::vector<Vec3> points;
+    for (const auto& [h, p] : found)
+        points.push_back(p);
+    return points;
+}
+
+/// The first point of the grid that sees all faces: finds what has room, of whatever form it is.
+std::optional<Vec3> gridPoint(MeshEditor& editor, Label cell) {
+    for (const Vec3& p : pointsOfGrid(editor, cell))
         if (seesAll(editor, cell, p)) return p;
     return std::nullopt;
 }
@@ -131,10 +147,7 @@ bool isSimpleSeenFrom(std::vector<Vec3> corners, const Vec3& point) {
 }
 
 bool isSeenFrom(MeshEditor& editor, Label cell, Label face, const Vec3& point) {
-    constexpr double rounding = 1e-10; // of a volume: corners in one line make no triangle
-    const double size = editor.cell(cell).size;
-    return dot(inwardArea(editor, cell, face), point - editor.faceGeometry(face).centre) >
-               rounding * size * size * size &&
+    return isBehind(editor, cell, face, point) &&
            isSimpleSeenFrom(inwardCorners(editor, cell, face), point);
 }
 
@@ -157,11 +170,32 @@ std::optional<Vec3> innerPoint(MeshEditor& editor, Label cell) {
     return gridPoint(editor, cell);
 }
 
+std::vector<Vec3> innerPoints(MeshEditor& editor, Label cell) {
+    std::vector<Vec3> points;
+    if (const auto first = innerPoint(editor, cell)) points.push_back(*first);
+    if (points.empty()) return points;
+    if (const Vec3 centre = editor.cellGeometry(cell).centre; seesAll(editor, cell, centre))
+        points.push_back(centre);
+    constexpr std::size_t most = 12;
+    const double apart = 0.15 * editor.cell(cell).size;
+    for (const Vec3& p : pointsOfGrid(editor, cell)) {
+        const auto isNear = [&](const Vec3& q) { return norm(p - q) < apart; };
+        if (points.size() == most) break;
+        if (std::ranges::none_of(points, isNear) && seesAll(editor, cell, p)) points.push_back(p);
+    }
+    return points;
+}
+
 std::optional<Vec3> pointBehindFaces(MeshEditor& editor, Label cell) {
     std::vector<HalfSpace> halfSpaces;
     for (const Label f : editor.cell(cell).faces)
         addDemand(editor, cell, f, Demand::wholeFace, halfSpaces);
-    return pointWellWithin(halfSpaces, editor.cellGeometry(cell).centre, editor.cell(cell).size);
+    const auto found =
+        pointWellWithin(halfSpaces, editor.cellGeometry(cell).centre, editor.cell(cell).size);
+    const bool isBehindAll = found && std::ranges::all_of(editor.cell(cell).faces, [&](Label f) {
+                                 return isBehind(editor, cell, f, *found);
+                             });
+    return isBehindAll ? found : std::nullopt;
 }
 
 } // namespace polymesh

@@ -75,27 +75,21 @@ class StarCutter {
 public:
     StarCutter(MeshEditor& editor, const CutEffort& effort) : editor_(editor), effort_(effort) {}
 
-    /// Cuts the cell and the parts again. False when some part is left that needs it, or, if parts
-    /// are kept, when nothing could be cut.
+    /// Cuts the cell and the parts again; false when some part is left that needs it.
     bool cut(Label cell) {
         std::vector<Label> waiting{cell};
-        bool allDone = true;
-        while (!waiting.empty()) {
+        for (int cuts = 0; !waiting.empty();) {
             const Label part = waiting.back();
-            waiting.pop_back();
-            const bool done = isDone(editor_, part);
-            const Label added = done || cuts_ >= effort_.cuts ? -1 : bestCut(part);
-            if (added < 0) {
+            if (isDone(editor_, part)) {
+                waiting.pop_back();
                 parts_.push_back(part);
-                allDone = allDone && done;
-                if (!allDone && !effort_.keepsParts) return false;
                 continue;
             }
-            ++cuts_;
+            const Label added = cuts++ < effort_.cuts ? bestCut(part) : -1;
+            if (added < 0) return false;
             waiting.push_back(added);
-            waiting.push_back(part);
         }
-        return allDone || parts_.size() > 1;
+        return true;
     }
 
     std::vector<Label> parts() const { return parts_; }
@@ -178,7 +172,6 @@ private:
     MeshEditor& editor_;
     CutEffort effort_;
     std::vector<Label> parts_;
-    int cuts_ = 0;
 };
 
 /// Of the corners from which shared faces can be cut into triangles, the one that leaves the fewest

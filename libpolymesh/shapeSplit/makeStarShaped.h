@@ -16,7 +16,6 @@ struct CutEffort {
     std::size_t candidates = 6; // for one cut
     std::int64_t tries = 200;   // looks at planes for one cut
     bool alongRims = false;     // cuts off points, edges and faces where planes do not help
-    bool keepsParts = false;    // keeps cuts that leave some part to be cut
 };
 
 /// Cuts a cell of which no point sees all faces until each part is acceptable or has such a point.

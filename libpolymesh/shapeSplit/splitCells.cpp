@@ -4,6 +4,7 @@
 
 #include "libpolymesh/base/parallel.h"
 #include "libpolymesh/mesh/topology.h"
+#include "libpolymesh/quality/editQuality.h"
 #include "libpolymesh/quality/meshPart.h"
 #include "libpolymesh/quality/starPoint.h"
 #include "libpolymesh/shapeSplit/editedShape.h"
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
+#include <numeric>
 #include <tuple>
 
 namespace polymesh {
@@ -32,6 +34,7 @@ struct Effort {
 struct Bounds {
     std::vector<Label> cellGroup;           // [cell] equal for cells that are in the same zones
     std::vector<std::uint8_t> isFaceInZone; // [face]
+    std::vector<std::uint8_t> isFragile;    // [cell] not to be cut
 };
 
 /// Splits cells of a mesh that is being edited.
@@ -47,6 +50,8 @@ public:
         waiting_ = cells;
         for (std::size_t i = 0; i < waiting_.size(); ++i)
             cutLargeFaces(waiting_[i]);
+        for (std::size_t i = 0; i < waiting_.size(); ++i)
+            cutConcaveFaces(waiting_[i]);
         // A cut may lead to cuts of neighbours, but not for ever.
         Label cutsLeft = 100 + toLabel(waiting_.size());
         for (std::size_t i = 0; i < waiting_.size() && cutsLeft > 0; ++i)
@@ -84,9 +89,37 @@ private:
                cutFromMiddle(editor_, f, size, Parts::any);
     }
 
+    /// Cuts faces on which a pyramid would have its centre outside, unless that would make a cell
+    /// beyond unacceptable.
+    void cutConcaveFaces(Label cell) {
+        if (isAcceptable(editor_, cell)) return;
+        const auto faces = editor_.cell(cell).faces; // a copy: cutting changes the list
+        for (const Label f : faces) {
+            const Label other = editor_.otherCell(f, cell);
+            const bool isOthers =
+                other >= 0 && (editor_.isFrozen(other) || isAcceptable(editor_, other));
+            if (isOthers || isStarShaped(editor_, f)) continue;
+            const MeshEditor::Mark mark = editor_.mark();
+            const std::size_t most = editor_.face(f).points.size() - 1;
+            const bool cut = other < 0 && !isPlane(editor_, f)
+                                 ? cutByChordsKeepingVolume(editor_, f, most)
+                                 : cutByChords(editor_, f, most);
+            if (cut && arePositive(editor_, mark)) {
+                ++counts_.splitFaces;
+                editor_.commit();
+            } else {
+                editor_.undoTo(mark);
+            }
+        }
+    }
+
     bool cutUnlessStarShaped(Label cell) {
         if (isAcceptable(editor_, cell) || innerPoint(editor_, cell)) return false;
-        if (splitWithNeighbour(cell, false)) return false;
+        if (bounds_.isFragile[index(editor_.cell(cell).origin)]) {
+            foldPyramids(cell);
+            return false;
+        }
+        if (splitWithNeighbour(cell)) return false;
         const MeshEditor::Mark mark = editor_.mark();
         const std::vector<Label> parts = makeStarShaped(editor_, cell, effort_.cut);
         if (parts.empty()) return false;
@@ -111,24 +144,75 @@ private:
         });
     }
 
-    /// Neighbours that have to be split anyway come first, then those with fewer faces.
-    bool splitWithNeighbour(Label cell, bool mayFold) {
-        std::vector<std::tuple<bool, std::size_t, Label>> neighbours;
-        for (const Label f : editor_.cell(cell).faces) {
-            const Label other = editor_.otherCell(f, cell);
-            if (other >= 0 && mayUnite(cell, other))
-                neighbours.emplace_back(
+    /// The neighbours of some cells with which they may be united: those that have to be split
+    /// anyway first, then those with fewer faces.
+    std::vector<Label> partnersOf(const std::vector<Label>& cells) const {
+        std::vector<std::tuple<bool, std::size_t, Label>> partners;
+        for (const Label cell : cells)
+            for (const Label f : editor_.cell(cell).faces) {
+                const Label other = editor_.otherCell(f, cell);
+                if (other < 0 || !mayUnite(cell, other) ||
+                    std::ranges::find(cells, other) != cells.end())
+                    continue;
+                partners.emplace_back(
                     isAcceptable(editor_, other), editor_.cell(other).faces.size(), other);
-        }
-        std::ranges::sort(neighbours);
-        neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
-        for (const auto& neighbour : neighbours)
-            if (splitTogether(editor_, cell, std::get<Label>(neighbour), mayFold)) {
-                ++counts_.unitedCells;
-                editor_.commit();
-                return true;
             }
+        std::ranges::sort(partners);
+        partners.erase(std::unique(partners.begin(), partners.end()), partners.end());
+        std::vector<Label> labels;
+        for (const auto& partner : partners)
+            labels.push_back(std::get<Label>(partner));
+        return labels;
+    }
+
+    bool splitWith(Label cell, const std::vector<Label>& others, bool mayFold) {
+        if (!splitTogether(editor_, cell, others, mayFold)) return false;
+        ++counts_.unitedCells;
+        editor_.commit();
+        return true;
+    }
+
+    bool splitWithNeighbour(Label cell) {
+        return std::ranges::any_of(partnersOf({cell}),
+                                   [&](Label other) { return splitWith(cell, {other}, false); });
+    }
+
+    /// The last resort: more and more cells round this one, until a point is behind all faces.
+    bool splitWithSeveral(Label cell) {
+        constexpr std::size_t branches = 5;
+        std::vector<Label> first = partnersOf({cell});
+        if (first.size() > branches) first.resize(branches);
+        return std::ranges::any_of(first, [&](Label start) {
+            return splitWithGroup({cell, start});
+        });
+    }
+
+    bool splitWithGroup(std::vector<Label> group) {
+        constexpr std::size_t most = 7;
+        const Label cell = group.front();
+        while (group.size() <= most) {
+            const std::vector<Label> partners = partnersOf(group);
+            const std::vector<Label> sure(group.begin() + 1, group.end());
+            for (const bool mayFold : {false, true})
+                if (splitWithOneMore(cell, sure, partners, mayFold)) return true;
+            if (partners.empty()) return false;
+            group.push_back(partners.front());
+        }
         return false;
+    }
+
+    bool splitWithOneMore(Label cell,
+                          const std::vector<Label>& sure,
+                          const std::vector<Label>& partners,
+                          bool mayFold) {
+        const auto fits = [&](std::vector<Label> others, Label one) {
+            if (one >= 0) others.push_back(one);
+            if (!splitWith(cell, others, mayFold)) return false;
+            counts_.foldedCells += mayFold ? 1 : 0;
+            return true;
+        };
+        return fits(sure, -1) ||
+               std::ranges::any_of(partners, [&](Label one) { return fits(sure, one); });
     }
 
     /// A cell whose faces have changed may need to be split now.
@@ -137,17 +221,49 @@ private:
     }
 
     void makePyramidsOf(Label cell) {
-        if (isAcceptable(editor_, cell) || hasLargeFace(editor_, cell)) return;
-        auto apex = innerPoint(editor_, cell);
-        if (!apex && effort_.mayFold) {
-            apex = pointBehindFaces(editor_, cell);
-            counts_.foldedCells += apex ? 1 : 0;
+        if (isAcceptable(editor_, cell)) return;
+        if (!hasLargeFace(editor_, cell) && makeGoodPyramids(cell)) {
+            editor_.commit();
+            return;
         }
-        if (apex)
+        if (effort_.mayFold) foldPyramids(cell);
+    }
+
+    /// Pyramids though no point sees all faces: round one that is behind them at least.
+    void foldPyramids(Label cell) {
+        const bool mayBe = !hasLargeFace(editor_, cell);
+        if (const auto apex = mayBe ? pointBehindFaces(editor_, cell) : std::nullopt) {
             makePyramids(editor_, cell, *apex);
-        else if (effort_.mayFold && splitWithNeighbour(cell, true))
             ++counts_.foldedCells;
-        editor_.commit();
+            editor_.commit();
+        } else {
+            splitWithSeveral(cell);
+        }
+    }
+
+    /// Pyramids round the first point inside if checkMesh will find nothing wrong with them, else
+    /// round the best of several.
+    bool makeGoodPyramids(Label cell) {
+        const auto first = innerPoint(editor_, cell);
+        if (!first) return false;
+        const MeshEditor::Mark mark = editor_.mark();
+        const auto badnessRound = [&](const Vec3& apex) {
+            const std::vector<Label> pyramids = makePyramids(editor_, cell, apex);
+            return badnessOf(editor_, withNeighbours(editor_, pyramids));
+        };
+        Badness least = badnessRound(*first);
+        if (least.failures == 0) return true;
+        editor_.undoTo(mark);
+        Vec3 best = *first;
+        for (const Vec3& apex : innerPoints(editor_, cell)) {
+            const Badness badness = badnessRound(apex);
+            editor_.undoTo(mark);
+            if (!isBetter(badness, least)) continue;
+            least = badness;
+            best = apex;
+        }
+        makePyramids(editor_, cell, best);
+        return true;
     }
 
     MeshEditor& editor_;
@@ -160,7 +276,8 @@ private:
 
 Bounds boundsOf(const PolyMesh& mesh) {
     Bounds bounds{std::vector<Label>(index(mesh.cellCount), 0),
-                  std::vector<std::uint8_t>(index(mesh.faceCount()), 0)};
+                  std::vector<std::uint8_t>(index(mesh.faceCount()), 0),
+                  {}};
     for (const Zone& zone : mesh.faceZones)
         for (const Label f : zone.labels)
             bounds.isFaceInZone[index(f)] = 1;
@@ -204,54 +321,77 @@ std::vector<Label> withFaceNeighbours(const PolyMesh& mesh, const std::vector<La
     return all;
 }
 
+/// A mesh that is being split.
+struct SplitMesh {
+    PolyMesh mesh;
+    std::vector<Label> origins; // [cell] the cell before the first pass
+    ShapeSplitCounts counts;
+};
+
 /// Splits the cells once; what a cut has made unacceptable at the rim of the part is left.
-void splitPass(PolyMesh& mesh,
+void splitPass(SplitMesh& split,
                const std::vector<Label>& cells,
                const Effort& effort,
-               ShapeSplitCounts& counts,
-               std::vector<Label>& origins) {
-    MeshPart part = partRound(mesh, withFaceNeighbours(mesh, cells));
+               const std::vector<std::uint8_t>& isFragile) {
+    MeshPart part = partRound(split.mesh, withFaceNeighbours(split.mesh, cells));
     std::vector<Label> inPart;
     for (const Label c : cells)
         inPart.push_back(
             static_cast<Label>(std::ranges::lower_bound(part.cells, c) - part.cells.begin()));
     MeshEditor editor(part.mesh);
     editor.computeGeometry();
-    const Bounds bounds = boundsOf(mesh);
-    Splitter(editor, bounds, effort, counts).split(inPart);
-    JoinedPart joined = withPart(mesh, part);
+    Bounds bounds = boundsOf(split.mesh);
+    for (const Label origin : split.origins)
+        bounds.isFragile.push_back(isFragile[index(origin)]);
+    Splitter(editor, bounds, effort, split.counts).split(inPart);
+    JoinedPart joined = withPart(split.mesh, part);
     for (Label& origin : joined.origins)
-        origin = origins[index(origin)];
-    origins = std::move(joined.origins);
-    mesh = std::move(joined.mesh);
+        origin = split.origins[index(origin)];
+    split.origins = std::move(joined.origins);
+    split.mesh = std::move(joined.mesh);
+}
+
+SplitMesh splitInPasses(const PolyMesh& mesh,
+                        std::vector<Label> cells,
+                        const std::vector<std::uint8_t>& isFragile) {
+    SplitMesh split{mesh, std::vector<Label>(index(mesh.cellCount)), {}};
+    std::iota(split.origins.begin(), split.origins.end(), 0);
+    split.counts.splitCells = toLabel(cells.size());
+    // Few cells are left after the first pass; they are worth more.
+    for (const Effort& effort :
+         {Effort{}, Effort{{12, 20, 400, true}, false}, Effort{{}, true}, Effort{{}, true}}) {
+        if (cells.empty()) break;
+        splitPass(split, cells, effort, isFragile);
+        cells = unacceptableCells(split.mesh);
+    }
+    split.counts.newCells = split.mesh.cellCount - mesh.cellCount;
+    split.counts.newPoints = split.mesh.pointCount() - mesh.pointCount();
+    split.counts.remaining = std::move(cells);
+    return split;
 }
 
 } // namespace
 
 ShapeSplitCounts splitUnacceptableCells(PolyMesh& mesh, std::vector<Label>* origins) {
-    ShapeSplitCounts counts;
-    const Label oldCells = mesh.cellCount;
-    const Label oldPoints = mesh.pointCount();
-    std::vector<Label> cells = unacceptableCells(mesh);
-    counts.splitCells = toLabel(cells.size());
-    std::vector<Label> from(index(mesh.cellCount));
-    for (std::size_t c = 0; c < from.size(); ++c)
-        from[c] = toLabel(c);
-    // Few cells are left after the first pass; they are worth more.
-    for (const Effort& effort : {Effort{},
-                                 Effort{{12, 20, 400, true}, false},
-                                 Effort{{}, true},
-                                 Effort{{}, true},
-                                 Effort{{}, true}}) {
-        if (cells.empty()) break;
-        splitPass(mesh, cells, effort, counts, from);
-        cells = unacceptableCells(mesh);
+    const std::vector<Label> cells = unacceptableCells(mesh);
+    std::vector<std::uint8_t> isFragile(index(mesh.cellCount), 0);
+    SplitMesh best = splitInPasses(mesh, cells, isFragile);
+    // Where cuts have led to cells that nothing can be done about, another time without cuts there.
+    constexpr int furtherTries = 4;
+    std::vector<Label> hopeless;
+    for (const Label c : best.counts.remaining)
+        hopeless.push_back(best.origins[index(c)]);
+    for (int i = 0; i < furtherTries && !best.counts.remaining.empty(); ++i) {
+        for (const Label c : withFaceNeighbours(mesh, hopeless))
+            isFragile[index(c)] = 1;
+        SplitMesh next = splitInPasses(mesh, cells, isFragile);
+        for (const Label c : next.counts.remaining)
+            hopeless.push_back(next.origins[index(c)]);
+        if (next.counts.remaining.size() < best.counts.remaining.size()) best = std::move(next);
     }
-    counts.newCells = mesh.cellCount - oldCells;
-    counts.newPoints = mesh.pointCount() - oldPoints;
-    counts.remaining = std::move(cells);
-    if (origins) *origins = std::move(from);
-    return counts;
+    mesh = std::move(best.mesh);
+    if (origins) *origins = std::move(best.origins);
+    return std::move(best.counts);
 }
 
 } // namespace polymesh

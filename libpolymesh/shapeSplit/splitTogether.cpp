@@ -48,16 +48,22 @@ bool hasPointBetween(const MeshEditor& editor, Label cell, Label other) {
 
 } // namespace
 
-bool splitTogether(MeshEditor& editor, Label cell, Label other, bool mayFold) {
-    if (hasPointBetween(editor, cell, other)) return false;
+bool splitTogether(MeshEditor& editor, Label cell, std::span<const Label> others, bool mayFold) {
     const MeshEditor::Mark mark = editor.mark();
-    unite(editor, cell, other);
+    for (const Label other : others) {
+        if (hasPointBetween(editor, cell, other)) {
+            editor.undoTo(mark);
+            return false;
+        }
+        unite(editor, cell, other);
+    }
     if (cellShape(editor.mesh(), cell) == CellShape::ball && !hasLargeFace(editor, cell)) {
         auto apex = innerPoint(editor, cell);
         if (!apex && mayFold) apex = pointBehindFaces(editor, cell);
         if (apex) {
             const std::vector<Label> pyramids = makePyramids(editor, cell, *apex);
-            rename(editor, pyramids.back(), other);
+            for (std::size_t k = 0; k < others.size(); ++k)
+                rename(editor, pyramids[pyramids.size() - 1 - k], others[k]);
             return true;
         }
     }

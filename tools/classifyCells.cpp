@@ -32,7 +32,8 @@ void split(ToolRun& tool, PolyMesh& mesh) {
     const TravellingSets travelling = takeSets(tool.meshDir(), mesh);
     tool.clock.start("split");
     const double volume = boundedVolume(mesh);
-    const ShapeSplitCounts counts = splitUnacceptableCells(mesh);
+    const ShapeSplitCounts counts =
+        splitUnacceptableCells(mesh, {travelling.cellZones, travelling.faceZones});
     const PolyMesh sets = removeSets(travelling, mesh);
     tool.clock.start("validate");
     requireValid(mesh, "the split mesh");

@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <map>
 #include <numeric>
+#include <span>
 #include <tuple>
 
 namespace polymesh {
@@ -274,15 +275,19 @@ private:
     std::vector<Label> parts_; // of cells that have been cut
 };
 
-Bounds boundsOf(const PolyMesh& mesh) {
+std::span<const Zone> firstOf(const std::vector<Zone>& zones, std::size_t count) {
+    return std::span(zones).first(std::min(count, zones.size()));
+}
+
+Bounds boundsOf(const PolyMesh& mesh, const BindingZones& binding) {
     Bounds bounds{std::vector<Label>(index(mesh.cellCount), 0),
                   std::vector<std::uint8_t>(index(mesh.faceCount()), 0),
                   {}};
-    for (const Zone& zone : mesh.faceZones)
+    for (const Zone& zone : firstOf(mesh.faceZones, binding.faceZones))
         for (const Label f : zone.labels)
             bounds.isFaceInZone[index(f)] = 1;
     Label groups = 1;
-    for (const Zone& zone : mesh.cellZones) {
+    for (const Zone& zone : firstOf(mesh.cellZones, binding.cellZones)) {
         std::map<Label, Label> inZone; // by the group without it
         for (const Label c : zone.labels) {
             Label& group = bounds.cellGroup[index(c)];
@@ -328,11 +333,17 @@ struct SplitMesh {
     ShapeSplitCounts counts;
 };
 
+/// What holds for all passes.
+struct Limits {
+    BindingZones binding;
+    std::vector<std::uint8_t> isFragile; // [cell before the first pass] not to be cut
+};
+
 /// Splits the cells once; what a cut has made unacceptable at the rim of the part is left.
 void splitPass(SplitMesh& split,
                const std::vector<Label>& cells,
                const Effort& effort,
-               const std::vector<std::uint8_t>& isFragile) {
+               const Limits& limits) {
     MeshPart part = partRound(split.mesh, withFaceNeighbours(split.mesh, cells));
     std::vector<Label> inPart;
     for (const Label c : cells)
@@ -340,9 +351,9 @@ void splitPass(SplitMesh& split,
             static_cast<Label>(std::ranges::lower_bound(part.cells, c) - part.cells.begin()));
     MeshEditor editor(part.mesh);
     editor.computeGeometry();
-    Bounds bounds = boundsOf(split.mesh);
+    Bounds bounds = boundsOf(split.mesh, limits.binding);
     for (const Label origin : split.origins)
-        bounds.isFragile.push_back(isFragile[index(origin)]);
+        bounds.isFragile.push_back(limits.isFragile[index(origin)]);
     Splitter(editor, bounds, effort, split.counts).split(inPart);
     JoinedPart joined = withPart(split.mesh, part);
     for (Label& origin : joined.origins)
@@ -351,9 +362,7 @@ void splitPass(SplitMesh& split,
     split.mesh = std::move(joined.mesh);
 }
 
-SplitMesh splitInPasses(const PolyMesh& mesh,
-                        std::vector<Label> cells,
-                        const std::vector<std::uint8_t>& isFragile) {
+SplitMesh splitInPasses(const PolyMesh& mesh, std::vector<Label> cells, const Limits& limits) {
     SplitMesh split{mesh, std::vector<Label>(index(mesh.cellCount)), {}};
     std::iota(split.origins.begin(), split.origins.end(), 0);
     split.counts.splitCells = toLabel(cells.size());
@@ -361,7 +370,7 @@ SplitMesh splitInPasses(const PolyMesh& mesh,
     for (const Effort& effort :
          {Effort{}, Effort{{12, 20, 400, true}, false}, Effort{{}, true}, Effort{{}, true}}) {
         if (cells.empty()) break;
-        splitPass(split, cells, effort, isFragile);
+        splitPass(split, cells, effort, limits);
         cells = unacceptableCells(split.mesh);
     }
     split.counts.newCells = split.mesh.cellCount - mesh.cellCount;
@@ -372,10 +381,11 @@ SplitMesh splitInPasses(const PolyMesh& mesh,
 
 } // namespace
 
-ShapeSplitCounts splitUnacceptableCells(PolyMesh& mesh, std::vector<Label>* origins) {
+ShapeSplitCounts
+splitUnacceptableCells(PolyMesh& mesh, const BindingZones& binding, std::vector<Label>* origins) {
     const std::vector<Label> cells = unacceptableCells(mesh);
-    std::vector<std::uint8_t> isFragile(index(mesh.cellCount), 0);
-    SplitMesh best = splitInPasses(mesh, cells, isFragile);
+    Limits limits{binding, std::vector<std::uint8_t>(index(mesh.cellCount), 0)};
+    SplitMesh best = splitInPasses(mesh, cells, limits);
     // Where cuts have led to cells that nothing can be done about, another time without cuts there.
     constexpr int furtherTries = 4;
     std::vector<Label> hopeless;
@@ -383,8 +393,8 @@ ShapeSplitCounts splitUnacceptableCells(PolyMesh& mesh, std::vector<Label>* orig
         hopeless.push_back(best.origins[index(c)]);
     for (int i = 0; i < furtherTries && !best.counts.remaining.empty(); ++i) {
         for (const Label c : withFaceNeighbours(mesh, hopeless))
-            isFragile[index(c)] = 1;
-        SplitMesh next = splitInPasses(mesh, cells, isFragile);
+            limits.isFragile[index(c)] = 1;
+        SplitMesh next = splitInPasses(mesh, cells, limits);
         for (const Label c : next.counts.remaining)
             hopeless.push_back(next.origins[index(c)]);
         if (next.counts.remaining.size() < best.counts.remaining.size()) best = std::move(next);

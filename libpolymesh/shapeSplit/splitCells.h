@@ -4,6 +4,8 @@
 
 #include "libpolymesh/mesh/polyMesh.h"
 
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace polymesh {
@@ -20,6 +22,14 @@ struct ShapeSplitCounts {
     std::vector<Label> remaining; // cells that are still not acceptable, ascending
 };
 
+/// Which zones keep cells apart: cells of different zones, or with a face of a zone between them,
+/// are never split together. The first ones of the mesh, so that sets may travel as zones after
+/// them.
+struct BindingZones {
+    std::size_t cellZones = std::numeric_limits<std::size_t>::max();
+    std::size_t faceZones = std::numeric_limits<std::size_t>::max();
+};
+
 /// Replaces every cell whose shape STAR-CD does not accept (shapes/recognise.h) by acceptable ones:
 /// the pyramids on its faces round a point inside. Faces that other cells share stay, unless they
 /// have more than six points or no point inside sees all faces; then they are cut for both cells.
@@ -31,6 +41,8 @@ struct ShapeSplitCounts {
 /// cell of the new mesh the cell that it is a piece of.
 /// Requires: a valid mesh. Cost: linear in the mesh with a small constant; some 20 microseconds
 /// for a cell to split, up to a second for one that has to be cut.
-ShapeSplitCounts splitUnacceptableCells(PolyMesh& mesh, std::vector<Label>* origins = nullptr);
+ShapeSplitCounts splitUnacceptableCells(PolyMesh& mesh,
+                                        const BindingZones& binding = {},
+                                        std::vector<Label>* origins = nullptr);
 
 } // namespace polymesh

@@ -31,7 +31,7 @@ ShapeSplitCounts splitByTheLaws(PolyMesh& mesh) {
     const double volume = boundedVolume(mesh);
     const std::vector<double> before = computeGeometry(mesh).cellVolumes;
     std::vector<Label> origins;
-    const ShapeSplitCounts counts = splitUnacceptableCells(mesh, &origins);
+    const ShapeSplitCounts counts = splitUnacceptableCells(mesh, {}, &origins);
     EXPECT_TRUE(validate(mesh).empty());
     EXPECT_NEAR(boundedVolume(mesh), volume, 1e-13 * volume);
     const std::vector<double> after = computeGeometry(mesh).cellVolumes;

@@ -108,6 +108,21 @@ TEST(ConvertMesh, takesAMeshThroughBothVersionsAndBack) {
     EXPECT_NEAR(test::volumeOf(shop.meshOf("third")), test::volumeOf(mesh), 1e-11);
 }
 
+TEST(ConvertMesh, takesATrimmedAndSplitMeshThroughBothVersions) {
+    const Workshop shop;
+    shop.addTrimmedCase("first");
+    shop.expectSuccess("classifyCells -case first -split && convertMesh first part4 && "
+                       "convertMesh part4 second && convertMesh second part3 -to star3 && "
+                       "convertMesh part3 third");
+    const PolyMesh mesh = shop.meshOf("first");
+    const PolyMesh third = shop.meshOf("third");
+    EXPECT_EQ(test::differenceOf(mesh, shop.meshOf("second"), 1e-15), "");
+    EXPECT_EQ(test::differenceOf(mesh, third, 1e-9), "");
+    EXPECT_EQ(mesh.patches, third.patches);
+    EXPECT_NEAR(test::volumeOf(mesh), test::volumeOf(third), 1e-9);
+    EXPECT_NE(shop.read("part3.cel").find("   -1\n"), std::string::npos) << "trimmed cells";
+}
+
 TEST(ConvertMesh, reportsWhatItDid) {
     const Workshop shop;
     PolyMesh mesh = test::box(2, 2, 2);

@@ -48,7 +48,8 @@ inline Polyhedron renumbered(Polyhedron cell, std::mt19937& random) {
     for (Polygon& loop : cell) {
         for (Label& p : loop)
             p = label[index(p)];
-        std::ranges::rotate(loop, loop.begin() + static_cast<long>(random() % loop.size()));
+        std::rotate(
+            loop.begin(), loop.begin() + static_cast<long>(random() % loop.size()), loop.end());
     }
     std::ranges::shuffle(cell, random);
     return cell;
@@ -64,7 +65,7 @@ inline Polyhedron mirrorImage(Polyhedron cell) {
 inline std::set<Polygon> loopSet(const Polyhedron& cell) {
     std::set<Polygon> loops;
     for (Polygon loop : cell) {
-        std::ranges::rotate(loop, std::ranges::min_element(loop));
+        std::rotate(loop.begin(), std::ranges::min_element(loop), loop.end());
         loops.insert(loop);
     }
     return loops;

@@ -387,7 +387,7 @@ splitUnacceptableCells(PolyMesh& mesh, const BindingZones& binding, std::vector<
     Limits limits{binding, std::vector<std::uint8_t>(index(mesh.cellCount), 0)};
     SplitMesh best = splitInPasses(mesh, cells, limits);
     // Where cuts have led to cells that nothing can be done about, another time without cuts there.
-    constexpr int furtherTries = 4;
+    constexpr int furtherTries = 2;
     std::vector<Label> hopeless;
     for (const Label c : best.counts.remaining)
         hopeless.push_back(best.origins[index(c)]);

@@ -3,6 +3,7 @@
 #include "libpolymesh/mps/cones.h"
 
 #include "libpolymesh/base/parallel.h"
+#include "libpolymesh/mps/cellLoops.h"
 #include "libpolymesh/mps/pointWithin.h"
 
 #include <algorithm>
@@ -16,41 +17,6 @@ namespace polymesh {
 
 namespace {
 
-using Polygon = std::vector<Label>;
-
-/// An edge of a cell, and its faces (places in the cell's row) on either side: `left` runs from a
-/// to b in its outward loop.
-struct CellEdge {
-    Label a;
-    Label b;
-    int left;
-    int right;
-};
-
-std::vector<Polygon> outwardLoops(const PolyMesh& mesh, const Rows<Label>& faces, Label cell) {
-    std::vector<Polygon> loops;
-    for (const Label face : faces[cell]) {
-        loops.emplace_back(mesh.faces[face].begin(), mesh.faces[face].end());
-        if (mesh.owner[index(face)] != cell) std::ranges::reverse(loops.back());
-    }
-    return loops;
-}
-
-std::vector<CellEdge> edgesOf(const std::vector<Polygon>& loops) {
-    std::vector<CellEdge> uses;
-    for (std::size_t f = 0; f < loops.size(); ++f)
-        for (std::size_t i = 0; i < loops[f].size(); ++i)
-            uses.push_back(
-                {loops[f][i], loops[f][(i + 1) % loops[f].size()], static_cast<int>(f), -1});
-    std::ranges::sort(uses, {}, [](const CellEdge& e) {
-        return std::tuple(std::min(e.a, e.b), std::max(e.a, e.b), e.a);
-    });
-    std::vector<CellEdge> edges;
-    for (std::size_t i = 0; i + 1 < uses.size(); i += 2)
-        edges.push_back({uses[i].a, uses[i].b, uses[i].left, uses[i + 1].left});
-    return edges;
-}
-
 /// Parts of a possible cell: how many, and whether one is inverted.
 struct Trial {
     bool isGood = false;
@@ -60,8 +26,9 @@ struct Trial {
 /// Tries groups of the faces of one cell.
 class ConeSearch {
 public:
-    ConeSearch(const PolyMesh& mesh, const SubdivisionPlan& plan, Label cell)
+    ConeSearch(const PolyMesh& mesh, const Bends& bends, const SubdivisionPlan& plan, Label cell)
         : mesh_(mesh),
+          bends_(bends),
           plan_(plan),
           cell_(cell),
           loops_(outwardLoops(mesh, plan.cellFaces, cell)),
@@ -91,10 +58,13 @@ private:
             const Vec3& middle = plan_.points[index(plan_.layout.firstFace + face)];
             for (std::size_t i = 0; i < loop.size(); ++i) {
                 const Vec3& at = point(loop[i]);
-                const Vec3& before = point(loop[(i + loop.size() - 1) % loop.size()]);
-                const Vec3& after = point(loop[(i + 1) % loop.size()]);
+                const Label next = loop[(i + 1) % loop.size()];
+                const Vec3 before = towards(loop[i], loop[(i + loop.size() - 1) % loop.size()]);
+                const Vec3 after = towards(loop[i], next);
                 addHalfSpace(before - at, after - at, at, list);
                 addHalfSpace(middle - at, after - at, at, list);
+                if (findBend(bends_, loop[i], next) != nullptr)
+                    addHalfSpace(middle - after, point(next) - after, after, list);
             }
         }
         return list;
@@ -110,37 +80,33 @@ private:
 
     const Vec3& point(Label p) const { return mesh_.points[index(p)]; }
 
-    /// The cell over some faces as a mesh of its own.
-    PolyMesh coneMesh(const std::vector<int>& faces) const {
-        PolyMesh cone;
-        cone.cellCount = 1;
-        std::map<Label, Label> local;
-        const auto localOf = [&](Label p) {
-            const auto [at, isNew] = local.try_emplace(p, toLabel(cone.points.size()));
-            if (isNew) cone.points.push_back(p < 0 ? centre_ : point(p));
-            return at->second;
-        };
-        const auto add = [&](std::span<const Label> loop) {
-            Polygon face;
-            for (const Label p : loop)
-                face.push_back(localOf(p));
-            cone.faces.add(face);
-        };
+    /// Where the edge from one point to another goes first.
+    const Vec3& towards(Label from, Label to) const {
+        const Bend* bend = findBend(bends_, from, to);
+        return bend != nullptr ? bend->at : point(to);
+    }
+
+    /// The faces of the cell over some faces of this one.
+    std::vector<Polygon> coneLoops(const std::vector<int>& faces) const {
+        std::vector<Polygon> loops;
         const auto isIn = [&](int f) { return std::ranges::find(faces, f) != faces.end(); };
         for (const int f : faces)
-            add(loops_[static_cast<std::size_t>(f)]);
+            loops.push_back(loops_[static_cast<std::size_t>(f)]);
         for (const CellEdge& e : edges_) {
             if (isIn(e.left) == isIn(e.right)) continue;
             const Label from = isIn(e.left) ? e.b : e.a;
-            add(std::array<Label, 3>{from, isIn(e.left) ? e.a : e.b, -1});
+            loops.push_back({from, isIn(e.left) ? e.a : e.b, -1});
         }
-        cone.owner.assign(index(cone.faceCount()), 0);
-        return cone;
+        return loops;
     }
 
     Trial tried(const std::vector<int>& faces) const {
-        const SubdivisionPlan plan = planSubdivision(coneMesh(faces));
-        return {plan.inverted.empty(), plan.hexahedra + plan.pyramids};
+        // A group whose rim meets itself at a point gives no cone.
+        const std::vector<Polygon> loops = coneLoops(faces);
+        if (!isClosed(loops)) return {};
+        const LoneCell cone = loneCell(mesh_, bends_, loops, centre_);
+        const SubdivisionPlan plan = planSubdivision(cone.mesh, cone.bends);
+        return {plan.inverted.empty(), plan.hexahedra + 2 * plan.pyramids};
     }
 
     std::vector<int> facesOf(int group) const {
@@ -196,7 +162,7 @@ private:
 
     /// Numbers the groups from 0; none when one is bad.
     std::optional<CellCones> result() const {
-        CellCones cones{cell_, centre_, std::vector<int>(groupOf_.size(), -1), 0};
+        CellCones cones{cell_, centre_, std::vector<int>(groupOf_.size(), -1), 0, {}};
         std::map<int, int> number;
         for (std::size_t f = 0; f < groupOf_.size(); ++f) {
             if (!trials_[static_cast<std::size_t>(groupOf_[f])].isGood) return std::nullopt;
@@ -208,6 +174,7 @@ private:
     }
 
     const PolyMesh& mesh_;
+    const Bends& bends_;
     const SubdivisionPlan& plan_;
     Label cell_;
     std::vector<Polygon> loops_;
@@ -302,33 +269,42 @@ void cutCell(PolyMesh& mesh,
              const Rows<Label>& cellFaces,
              const CellCones& c,
              std::vector<LooseFace>& loose) {
-    const auto cellOf = [&](std::size_t f) {
-        return c.groupOf[f] == 0 ? c.cell : mesh.cellCount + c.groupOf[f] - 1;
+    const auto cellOf = [&](int group) { return group == 0 ? c.cell : mesh.cellCount + group - 1; };
+    const auto add = [&](int left, int right, Polygon loop) {
+        const Label inside = cellOf(left);
+        const Label outside = cellOf(right);
+        if (inside > outside) std::ranges::reverse(loop);
+        if (inside != outside)
+            loose.push_back(
+                {std::min(inside, outside), std::max(inside, outside), std::move(loop), -1});
     };
-    for (const CellEdge& e : edgesOf(outwardLoops(mesh, cellFaces, c.cell))) {
-        const Label left = cellOf(static_cast<std::size_t>(e.left));
-        const Label right = cellOf(static_cast<std::size_t>(e.right));
-        // The triangle b, a, centre leaves the cell on the left.
-        if (left < right) loose.push_back({left, right, {e.b, e.a, mesh.pointCount()}, -1});
-        if (left > right) loose.push_back({right, left, {e.a, e.b, mesh.pointCount()}, -1});
-    }
+    for (const CellWall& wall : c.walls)
+        add(wall.inside, wall.outside, wall.loop);
+    // The triangle b, a, centre leaves the cell on the left.
+    if (c.walls.empty())
+        for (const CellEdge& e : edgesOf(outwardLoops(mesh, cellFaces, c.cell)))
+            add(c.groupOf[static_cast<std::size_t>(e.left)],
+                c.groupOf[static_cast<std::size_t>(e.right)],
+                {e.b, e.a, mesh.pointCount()});
     for (std::size_t f = 0; f < c.groupOf.size(); ++f) {
         const Label face = cellFaces[c.cell][f];
         const bool isOwned = mesh.owner[index(face)] == c.cell;
-        (isOwned ? mesh.owner[index(face)] : loose[index(face)].neighbour) = cellOf(f);
+        (isOwned ? mesh.owner[index(face)] : loose[index(face)].neighbour) = cellOf(c.groupOf[f]);
     }
-    mesh.points.push_back(c.centre);
+    if (c.walls.empty()) mesh.points.push_back(c.centre);
     mesh.cellCount += c.groupCount - 1;
 }
 
 } // namespace
 
-std::vector<CellCones>
-conesOf(const PolyMesh& mesh, const SubdivisionPlan& plan, std::span<const Label> cells) {
+std::vector<CellCones> conesOf(const PolyMesh& mesh,
+                               const Bends& bends,
+                               const SubdivisionPlan& plan,
+                               std::span<const Label> cells) {
     std::vector<std::optional<CellCones>> found(cells.size());
     parallelBlocks(toLabel(cells.size()), 8, [&](Label, Label first, Label last) {
         for (Label i = first; i < last; ++i)
-            found[index(i)] = ConeSearch(mesh, plan, cells[index(i)]).find();
+            found[index(i)] = ConeSearch(mesh, bends, plan, cells[index(i)]).find();
     });
     std::vector<CellCones> cones;
     for (auto& cone : found)

@@ -11,6 +11,7 @@ namespace polymesh {
 struct Divisible {
     PolyMesh mesh;
     SubdivisionPlan plan;
+    Bends bends;             // points that are middles of edges and no nodes (bends.h)
     Label firstInverted = 0; // cells with inverted parts before anything was done
     Label splitFaces = 0;    // faces replaced by pieces
     Label conedCells = 0;    // cells replaced by cones over a new point

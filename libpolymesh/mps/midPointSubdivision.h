@@ -3,6 +3,7 @@
 #pragma once
 
 #include "libpolymesh/mesh/polyMesh.h"
+#include "libpolymesh/mps/bends.h"
 #include "libpolymesh/mps/numberedEdges.h"
 #include "libpolymesh/mps/partGeometry.h"
 
@@ -37,10 +38,11 @@ struct SubdivisionPlan {
 };
 
 /// Numbers the parts and places the new points: the middles of the edges, OpenFOAM's centres of
-/// faces, and of cells where no part is inverted by it, else another point (partGeometry.h).
+/// faces, and of cells where no part is inverted by it, else another point (partGeometry.h). Edges
+/// that bend have their bend as middle, and are so seen by the centres of faces.
 /// Requires a valid mesh (validate.h). Throws InputError when the labels of the divided mesh do
 /// not fit. Cost: O(face corners), about 0.5 us a part and core.
-SubdivisionPlan planSubdivision(const PolyMesh& mesh);
+SubdivisionPlan planSubdivision(const PolyMesh& mesh, const Bends& bends = {});
 
 /// The cells that the plan as it is divides into parts of which one is inverted, among `cells`.
 std::vector<Label>

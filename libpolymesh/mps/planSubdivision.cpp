@@ -23,6 +23,34 @@ struct BlockResult {
     std::int64_t pyramids = 0;
 };
 
+/// Puts the middles of edges that bend there, and the centres of their faces where they are then.
+void placeBends(const PolyMesh& mesh, const Bends& bends, SubdivisionPlan& plan) {
+    if (bends.empty()) return;
+    std::vector<char> isBent(index(plan.edges.size()), 0);
+    for (const Bend& bend : bends) {
+        const auto edge = std::ranges::lower_bound(plan.edges.points, bend.ends);
+        if (edge == plan.edges.points.end() || *edge != bend.ends) continue;
+        const auto number = static_cast<std::size_t>(edge - plan.edges.points.begin());
+        isBent[number] = 1;
+        plan.points[index(plan.layout.firstEdge) + number] = bend.at;
+    }
+    parallelFor(mesh.faceCount(), [&](Label face) {
+        std::vector<Label> loop;
+        bool hasBend = false;
+        for (Label i = mesh.faces.offsets[index(face)]; i < mesh.faces.offsets[index(face) + 1];
+             ++i)
+            hasBend = hasBend || isBent[index(plan.edges.ofCorner[index(i)])] != 0;
+        if (!hasBend) return;
+        for (Label i = mesh.faces.offsets[index(face)]; i < mesh.faces.offsets[index(face) + 1];
+             ++i) {
+            const Label edge = plan.edges.ofCorner[index(i)];
+            loop.push_back(mesh.faces.values[index(i)]);
+            if (isBent[index(edge)] != 0) loop.push_back(plan.layout.firstEdge + edge);
+        }
+        plan.points[index(plan.layout.firstFace + face)] = faceGeometry(plan.points, loop).centre;
+    });
+}
+
 void placeSharedPoints(const PolyMesh& mesh, SubdivisionPlan& plan) {
     const MeshGeometry geometry = computeGeometry(mesh, plan.cellFaces);
     plan.layout.firstEdge = mesh.pointCount();
@@ -111,12 +139,13 @@ PartPoints SubdivisionPlan::parts(const CellCorners& corners, Label cell) const 
     return {corners, layout, all, all.subspan(index(first)), first, cell};
 }
 
-SubdivisionPlan planSubdivision(const PolyMesh& mesh) {
+SubdivisionPlan planSubdivision(const PolyMesh& mesh, const Bends& bends) {
     SubdivisionPlan plan;
     requireFits(8 * static_cast<std::int64_t>(mesh.faces.values.size()), "corners of faces");
     plan.edges = numberEdges(mesh);
     plan.cellFaces = cellFaces(mesh);
     placeSharedPoints(mesh, plan);
+    placeBends(mesh, bends, plan);
     plan.firstPart.assign(index(mesh.cellCount) + 1, 0);
     plan.firstApex.assign(index(mesh.cellCount) + 1, 0);
     plan.partAcross.assign(mesh.faces.values.size(), -1);

@@ -73,11 +73,20 @@ private:
 
     const Vec3& point(Label p) const { return mesh_.points[index(p)]; }
 
+    /// The middle of an edge, which may bend; the point at the other end of a diagonal.
+    const Vec3& towards(Label here, Label there) const {
+        const Edge ends{std::min(here, there), std::max(here, there)};
+        const auto edge = std::ranges::lower_bound(plan_.edges.points, ends);
+        if (edge == plan_.edges.points.end() || *edge != ends) return point(there);
+        const auto number = edge - plan_.edges.points.begin();
+        return plan_.points[index(plan_.layout.firstEdge + static_cast<Label>(number))];
+    }
+
     /// How convex the face is at the corner `here`: above zero where it is.
     double convexity(Label before, Label here, Label after) const {
         const Vec3& at = point(here);
-        const Vec3 a = point(before) - at;
-        const Vec3 b = point(after) - at;
+        const Vec3 a = towards(here, before) - at;
+        const Vec3 b = towards(here, after) - at;
         if (!isInternal_) return scaledTriple(a, b, centre_ - at);
         if (!rule_.isStrict) return scaledTriple(a, b, inward_);
         return std::min(isOwnerIn_ ? scaledTriple(a, b, centre_ - at) : 1.0,

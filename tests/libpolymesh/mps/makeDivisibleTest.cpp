@@ -3,6 +3,7 @@
 #include "libpolymesh/mps/makeDivisible.h"
 
 #include "libpolymesh/base/parallel.h"
+#include "libpolymesh/mps/bends.h"
 #include "libpolymesh/mps/cones.h"
 #include "libpolymesh/mps/splitFaces.h"
 #include "libpolymesh/mps/untangle.h"
@@ -58,6 +59,44 @@ TEST(MakeDivisible, concaveCellsDivideWell) {
     const Divisible work = dividedWell(test::lShapedCell());
     EXPECT_EQ(work.firstInverted, 1);
     EXPECT_GT(work.mesh.cellCount, 1);
+}
+
+TEST(MakeDivisible, cellWithOneReflexEdgeIsCutInTwoHexahedra) {
+    const Divisible work = dividedWell(test::lShapedCell());
+    EXPECT_EQ(work.mesh.cellCount, 2);
+    EXPECT_EQ(work.plan.hexahedra, 16);
+    EXPECT_EQ(work.plan.pyramids, 0);
+}
+
+/// Two cubes of which an edge goes by way of a point beside its middle.
+PolyMesh bentCubes(const Vec3& aside) {
+    PolyMesh mesh = test::twoHexes();
+    const auto edge = edges(mesh).front();
+    const Vec3 middle = 0.5 * (mesh.points[index(edge[0])] + mesh.points[index(edge[1])]);
+    return withBendsAsPoints(std::move(mesh), {{edge, middle + aside}});
+}
+
+TEST(Bends, pointsBetweenTwoEdgesBecomeMiddles) {
+    const Vec3 aside{0.01, 0.02, 0.03};
+    PolyMesh mesh = bentCubes(aside);
+    const PolyMesh before = mesh;
+    const Bends bends = takeBends(mesh);
+    ASSERT_EQ(bends.size(), 1U);
+    EXPECT_EQ(mesh, test::twoHexes());
+    EXPECT_EQ(withBendsAsPoints(mesh, bends), before);
+    EXPECT_NE(findBend(bends, bends[0].ends[1], bends[0].ends[0]), nullptr);
+}
+
+TEST(Bends, warpedFacesKeepTheirVolume) {
+    const PolyMesh mesh = bentCubes({0.05, -0.08, 0.06});
+    Divisible work = makeDivisible(mesh);
+    EXPECT_TRUE(work.plan.inverted.empty());
+    EXPECT_EQ(work.plan.hexahedra, 16);
+    EXPECT_EQ(work.plan.pyramids, 0);
+    const double volume = test::totalVolume(mesh);
+    const PolyMesh result = divide(work.mesh, std::move(work.plan));
+    EXPECT_NEAR(test::totalVolume(result), volume, 1e-14);
+    EXPECT_GT(test::leastJacobianOfFaces(result), leastJacobian);
 }
 
 TEST(MakeDivisible, sameMeshWithAnyNumberOfThreads) {

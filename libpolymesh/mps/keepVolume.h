@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: The polymesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "libpolymesh/mesh/cellGeometry.h"
+#include "libpolymesh/mps/midPointSubdivision.h"
+
+#include <span>
+#include <vector>
+
+namespace polymesh {
+
+/// The boundary faces of a mesh as they are to OpenFOAM.
+std::vector<FaceGeometry> boundaryGeometry(const PolyMesh& mesh);
+
+/// A warped boundary face encloses another volume when it is divided. Moves the points of boundary
+/// faces along their normals so that the divided boundary holds what the undivided one held, face
+/// by face: `undivided` has the faces that those of the mesh are, or are pieces of, in the same
+/// order, `undividedSizes` of them in each patch. Where a part would become inverted the face's
+/// points go back, and others take over what is missing. Flat faces stay. Returns the number of
+/// faces that have moved. Cost: linear in the boundary; parallel. The same bytes for any number of
+/// threads.
+Label keepVolume(const PolyMesh& mesh,
+                 std::span<const Label> undividedSizes,
+                 const std::vector<FaceGeometry>& undivided,
+                 SubdivisionPlan& plan);
+
+} // namespace polymesh

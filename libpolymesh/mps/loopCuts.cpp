@@ -15,7 +15,7 @@ namespace polymesh {
 
 namespace {
 
-constexpr std::size_t longestLoop = 7;
+constexpr std::size_t longestLoop = 5;
 constexpr std::size_t mostTries = 24; // loops tried for one part of a cell
 constexpr int mostCuts = 6;
 

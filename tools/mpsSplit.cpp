@@ -39,7 +39,8 @@ ExitCode run(ToolRun& tool) {
     const TravellingSets travelling = takeSets(tool.meshDir(), mesh);
     tool.clock.start("plan");
     const UndividedMesh undivided = describe(mesh);
-    Divisible divisible = makeDivisible(std::move(mesh));
+    Divisible divisible =
+        makeDivisible(std::move(mesh), {travelling.cellZones, travelling.faceZones});
     project(tool, divisible);
     const MpsFigures figures = figuresOf(undivided, divisible);
     tool.clock.start("divide");

@@ -49,18 +49,22 @@ std::vector<InvertedCell> invertedOf(const PolyMesh& mesh, const SubdivisionPlan
 
 /// What was done so that parts are not inverted.
 void reportHelp(ToolRun& tool, const MpsFigures& figures) {
-    tool.say("helped     {} cells that would have had an inverted part: {} faces split, {} cells "
-             "cut, {} of them from a new point; {} more cells; {} points moved",
-             figures.firstInverted,
-             figures.splitFaces,
-             figures.conedCells + figures.cutCells,
-             figures.conedCells,
-             figures.newCells,
-             figures.movedPoints);
+    tool.say(
+        "helped     {} cells that would have had an inverted part: {} faces split, {} cells "
+        "cut, {} of them from a new point, {} joined with a neighbour; {} more cells; {} points "
+        "moved",
+        figures.firstInverted,
+        figures.splitFaces,
+        figures.conedCells + figures.cutCells,
+        figures.conedCells,
+        figures.joinedCells,
+        figures.newCells,
+        figures.movedPoints);
     tool.report["helpedCells"] = figures.firstInverted;
     tool.report["splitFaces"] = figures.splitFaces;
     tool.report["newPointCells"] = figures.conedCells;
     tool.report["concaveCuts"] = figures.cutCells;
+    tool.report["joinedCells"] = figures.joinedCells;
     tool.report["newCells"] = figures.newCells;
     tool.report["movedPoints"] = figures.movedPoints;
 }
@@ -86,7 +90,7 @@ void reportInverted(ToolRun& tool, const MpsFigures& figures) {
                  figures.inverted[i].jacobian);
     foam::writeSet(tool.meshDir(), foam::SetKind::cell, invertedSet, figures.invertedParts);
     tool.say("           their parts are in the cell set {}; finer cells there or trimSurface "
-             "-adjust repel make fewer",
+             "-adjust repel -concave keep make fewer",
              invertedSet);
 }
 
@@ -115,6 +119,7 @@ MpsFigures figuresOf(const UndividedMesh& undivided, const Divisible& divisible)
                        divisible.splitFaces,
                        divisible.conedCells,
                        divisible.cutCells,
+                       divisible.joinedCells,
                        divisible.newCells,
                        divisible.movedPoints,
                        demandedCounts(divisible.mesh),

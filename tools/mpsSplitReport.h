@@ -30,6 +30,7 @@ struct MpsFigures {
     Label splitFaces = 0;
     Label conedCells = 0;
     Label cutCells = 0;
+    Label joinedCells = 0;
     Label newCells = 0;
     Label movedPoints = 0;
     SubdivisionCounts demanded;

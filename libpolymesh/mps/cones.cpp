@@ -4,6 +4,7 @@
 
 #include "libpolymesh/base/parallel.h"
 #include "libpolymesh/mps/cellLoops.h"
+#include "libpolymesh/mps/looseFaces.h"
 #include "libpolymesh/mps/pointWithin.h"
 
 #include <algorithm>
@@ -34,9 +35,15 @@ public:
           loops_(outwardLoops(mesh, plan.cellFaces, cell)),
           edges_(edgesOf(loops_)) {}
 
-    std::optional<CellCones> find() {
+    /// A point that sees all faces.
+    std::optional<Vec3> centre() const {
+        constexpr Search deep{.moves = 100, .margins = 12};
         const Vec3 start = plan_.points[index(plan_.layout.firstCell + cell_)];
-        const auto centre = pointWithin(halfSpaces(), start, reach(start));
+        return pointWithin(halfSpaces(), start, reach(start), deep);
+    }
+
+    std::optional<CellCones> find() {
+        const auto centre = this->centre();
         if (!centre) return std::nullopt;
         centre_ = *centre;
         groupOf_.resize(loops_.size());
@@ -185,60 +192,6 @@ private:
     std::map<std::pair<int, int>, Trial> pairs_;
 };
 
-/// Internal faces out of order: with what they were.
-struct LooseFace {
-    Label owner;
-    Label neighbour;
-    Polygon loop;
-    Label source; // face of the old mesh, or -1
-    bool isTurned = false;
-};
-
-/// Gives the mesh these internal faces, sorted, before its boundary faces; `first` tells where
-/// each old face is now, `isTurned` which of them run the other way round.
-void setInternalFaces(PolyMesh& mesh, std::vector<LooseFace>& loose) {
-    std::ranges::stable_sort(
-        loose, {}, [](const LooseFace& f) { return std::pair(f.owner, f.neighbour); });
-    const Label oldInternal = mesh.internalFaceCount();
-    const Label shift = toLabel(loose.size()) - oldInternal;
-    std::vector<Label> place(index(mesh.faceCount()));
-    std::vector<char> isTurned(index(mesh.faceCount()), 0);
-    Rows<Label> faces;
-    std::vector<Label> owner;
-    mesh.neighbour.clear();
-    for (const LooseFace& f : loose) {
-        if (f.source >= 0) {
-            place[index(f.source)] = faces.size();
-            isTurned[index(f.source)] = f.isTurned ? 1 : 0;
-        }
-        faces.add(f.loop);
-        owner.push_back(f.owner);
-        mesh.neighbour.push_back(f.neighbour);
-    }
-    for (Label face = oldInternal; face < mesh.faceCount(); ++face) {
-        place[index(face)] = face + shift;
-        faces.add(std::as_const(mesh.faces)[face]);
-        owner.push_back(mesh.owner[index(face)]);
-    }
-    mesh.faces = std::move(faces);
-    mesh.owner = std::move(owner);
-    for (Patch& patch : mesh.patches)
-        patch.start += shift;
-    for (Zone& zone : mesh.faceZones) {
-        std::vector<std::pair<Label, bool>> sorted;
-        for (std::size_t i = 0; i < zone.labels.size(); ++i)
-            sorted.emplace_back(place[index(zone.labels[i])],
-                                (i < zone.flip.size() && zone.flip[i]) !=
-                                    (isTurned[index(zone.labels[i])] != 0));
-        std::ranges::sort(sorted);
-        zone.flip.resize(sorted.size());
-        for (std::size_t i = 0; i < sorted.size(); ++i) {
-            zone.labels[i] = sorted[i].first;
-            zone.flip[i] = sorted[i].second;
-        }
-    }
-}
-
 void extendZones(std::vector<Zone>& zones, std::span<const CellCones> cones, Label firstNew) {
     for (Zone& zone : zones) {
         Label next = firstNew;
@@ -250,17 +203,6 @@ void extendZones(std::vector<Zone>& zones, std::span<const CellCones> cones, Lab
                 if (isIn) zone.labels.push_back(next);
         }
     }
-}
-
-std::vector<LooseFace> internalFaces(const PolyMesh& mesh) {
-    std::vector<LooseFace> loose;
-    loose.reserve(mesh.neighbour.size());
-    for (Label face = 0; face < mesh.internalFaceCount(); ++face)
-        loose.push_back({mesh.owner[index(face)],
-                         mesh.neighbour[index(face)],
-                         Polygon(mesh.faces[face].begin(), mesh.faces[face].end()),
-                         face});
-    return loose;
 }
 
 /// Adds the point, the cells and the triangles of one cell's cones, and gives its faces to them:

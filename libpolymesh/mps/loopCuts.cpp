@@ -4,6 +4,8 @@
 
 #include "libpolymesh/base/parallel.h"
 #include "libpolymesh/mps/cellLoops.h"
+#include "libpolymesh/mps/chords.h"
+#include "libpolymesh/mps/edgeLoops.h"
 
 #include <algorithm>
 #include <map>
@@ -15,7 +17,6 @@ namespace polymesh {
 
 namespace {
 
-constexpr std::size_t longestLoop = 5;
 constexpr std::size_t mostTries = 24; // loops tried for one part of a cell
 constexpr int mostCuts = 6;
 
@@ -50,50 +51,6 @@ struct Cut {
         return std::tuple(
             a.quality.bad + b.quality.bad, pyramids, a.quality.parts + b.quality.parts);
     }
-};
-
-/// All simple loops of edges through one of them, up to a length.
-class LoopFinder {
-public:
-    explicit LoopFinder(std::span<const CellEdge> edges) {
-        for (const CellEdge& e : edges)
-            add(e.a, e.b);
-    }
-
-    void add(Label a, Label b) {
-        steps_.emplace_back(a, b);
-        steps_.emplace_back(b, a);
-    }
-
-    void sort() {
-        std::ranges::sort(steps_);
-        steps_.erase(std::unique(steps_.begin(), steps_.end()), steps_.end());
-    }
-
-    template<class Use>
-    void through(Label from, Label to, Use&& use) {
-        path_ = {from, to};
-        extend(use);
-    }
-
-private:
-    template<class Use>
-    void extend(Use& use) {
-        const auto [first, last] =
-            std::ranges::equal_range(steps_, path_.back(), {}, &std::pair<Label, Label>::first);
-        for (auto step = first; step != last; ++step) {
-            const Label next = step->second;
-            if (next == path_.front() && path_.size() > 2) use(path_);
-            if (path_.size() == longestLoop || std::ranges::find(path_, next) != path_.end())
-                continue;
-            path_.push_back(next);
-            extend(use);
-            path_.pop_back();
-        }
-    }
-
-    std::vector<std::pair<Label, Label>> steps_;
-    Polygon path_;
 };
 
 /// Cuts one cell.
@@ -256,8 +213,12 @@ private:
             const bool hasB = std::ranges::find(loop, reflex.b) != loop.end();
             if (hasA == hasB) continue;
             const Label from = hasA ? reflex.a : reflex.b;
-            for (const Label to : loop)
-                if (to != from && !isJoined(from, to)) diagonals.push_back({from, to, f});
+            const auto start =
+                static_cast<std::size_t>(std::ranges::find(loop, from) - loop.begin());
+            for (std::size_t i = 0; i < loop.size(); ++i)
+                if (i != start && !isJoined(from, loop[i]) &&
+                    isChord(mesh_, bends_, loop, start, i))
+                    diagonals.push_back({from, loop[i], f});
         }
     }
 
@@ -304,7 +265,9 @@ private:
             if (!isReflex(part, e)) continue;
             std::vector<Diagonal> own;
             if (joined_ != nullptr) addDiagonals(part, e, own);
-            LoopFinder finder(edges);
+            EdgeLoops finder;
+            for (const CellEdge& edge : edges)
+                finder.add(edge.a, edge.b);
             for (const Diagonal& d : own)
                 finder.add(d.a, d.b);
             finder.sort();

@@ -3,29 +3,33 @@
 #include "libpolymesh/mps/makeDivisible.h"
 
 #include "libpolymesh/mesh/cellGeometry.h"
-#include "libpolymesh/mesh/validate.h"
 #include "libpolymesh/mps/cones.h"
+#include "libpolymesh/mps/joinCells.h"
 #include "libpolymesh/mps/keepVolume.h"
 #include "libpolymesh/mps/loopCuts.h"
+#include "libpolymesh/mps/remedies.h"
 #include "libpolymesh/mps/splitFaces.h"
 #include "libpolymesh/mps/untangle.h"
-#include "libpolymesh/quality/convexDecomposition.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace polymesh {
 
 namespace {
 
+/// Corners of faces below this are hardly convex (splitFaces.h).
+constexpr double straight = 1e-3;
+
 void planAgain(Divisible& work) {
     work.plan = planSubdivision(work.mesh, work.bends);
     work.movedPoints = untangle(work.mesh, work.plan);
 }
 
+/// Splits faces of cells that are stars, which others would only suffer from.
 void splitFaces(Divisible& work, const FaceSplitRule& rule) {
-    const auto pieces = piecesOfFaces(work.mesh, work.plan, work.plan.inverted, rule);
+    const auto cells = starCells(work.mesh, work.plan, work.plan.inverted);
+    const auto pieces = piecesOfFaces(work.mesh, work.bends, work.plan, cells, rule);
     if (pieces.empty()) return;
     work.splitFaces += toLabel(pieces.size());
     work.mesh = withPieces(std::move(work.mesh), pieces);
@@ -64,8 +68,17 @@ bool makeCones(Divisible& work) {
     return true;
 }
 
+/// Splits faces, at concave corners first, and cuts cells along the new edges.
+void splitAndCut(Divisible& work) {
+    constexpr double bent = 0;
+    for (const auto& rule : {FaceSplitRule{bent, false}, {straight, false}, {straight, true}}) {
+        splitFaces(work, rule);
+        cutAlongLoops(work);
+    }
+}
+
+/// Makes cones, and splits faces of cells of which it has not come to good cones yet.
 void helpLocally(Divisible& work) {
-    constexpr double straight = 1e-3; // corners that are hardly convex, beside concave ones
     constexpr int rounds = 3;
     for (int round = 0; round < rounds && !work.plan.inverted.empty(); ++round) {
         splitFaces(work, {straight, round > 0});
@@ -73,125 +86,110 @@ void helpLocally(Divisible& work) {
     }
 }
 
-/// Makes points of the bends in the edges of the cells that are left.
-void straightenEdges(Divisible& work) {
-    std::vector<Bend> straightened;
+/// The bends of this kind in the edges of cells that are left.
+template<class IsKind>
+Bends bendsOf(const Divisible& work, const IsKind& isKind) {
+    Bends bends;
     for (const Label cell : work.plan.inverted)
         for (const Label face : work.plan.cellFaces[cell]) {
-            const auto loop = std::as_const(work.mesh.faces)[face];
+            const auto loop = work.mesh.faces[face];
             for (std::size_t i = 0; i < loop.size(); ++i)
-                if (const Bend* bend = findBend(work.bends, loop[i], loop[(i + 1) % loop.size()]))
-                    straightened.push_back(*bend);
+                if (const Bend* bend = findBend(work.bends, loop[i], loop[(i + 1) % loop.size()]);
+                    bend != nullptr && isKind(cell, *bend))
+                    bends.push_back(*bend);
         }
-    std::ranges::sort(straightened, {}, &Bend::ends);
+    std::ranges::sort(bends, {}, &Bend::ends);
     const auto isSame = [](const Bend& a, const Bend& b) { return a.ends == b.ends; };
-    straightened.erase(std::unique(straightened.begin(), straightened.end(), isSame),
-                       straightened.end());
+    bends.erase(std::unique(bends.begin(), bends.end(), isSame), bends.end());
+    return bends;
+}
+
+/// Makes points of the bends of cells that are left where faces can not be split as if the edge
+/// were straight: of edges that bend much, and of all edges of cells that have triangles only.
+bool straightenEdges(Divisible& work) {
+    constexpr double slight = 0.02; // of the edge's length
+    const auto hasTriangles = [&](Label cell) {
+        return std::ranges::all_of(std::as_const(work.plan.cellFaces)[cell],
+                                   [&](Label f) { return work.mesh.faces.rowSize(f) == 3; });
+    };
+    const Bends straightened = bendsOf(work, [&](Label cell, const Bend& bend) {
+        const Vec3& a = work.mesh.points[index(bend.ends[0])];
+        const Vec3 along = work.mesh.points[index(bend.ends[1])] - a;
+        return norm(cross(along, bend.at - a)) > slight * squaredNorm(along) || hasTriangles(cell);
+    });
+    if (straightened.empty()) return false;
     work.mesh = withBendsAsPoints(std::move(work.mesh), straightened);
     std::erase_if(work.bends, [&](const Bend& bend) {
         return findBend(straightened, bend.ends[0], bend.ends[1]) != nullptr;
     });
-}
-
-/// Splits the faces of the cells that are left from their middles, and makes cones over those.
-void makeTetrahedra(Divisible& work) {
-    straightenEdges(work);
-    const auto fans = fansOfFaces(work.mesh, work.plan, work.plan.inverted);
-    if (fans.empty()) return;
-    work.splitFaces += toLabel(fans.size());
-    work.mesh = withPieces(std::move(work.mesh), fans);
-    planAgain(work);
-    makeCones(work);
-    helpLocally(work);
-}
-
-/// The cells of which a part has next to no volume; origins: the cell that each cell is a part of.
-std::vector<Label>
-cellsWithFlatParts(const PolyMesh& old, const PolyMesh& cut, std::span<const Label> origins) {
-    constexpr double flat = 1e-9; // of the whole's volume
-    const std::vector<double> whole = computeGeometry(old).cellVolumes;
-    const std::vector<double> parts = computeGeometry(cut).cellVolumes;
-    std::vector<Label> cells;
-    for (std::size_t part = 0; part < parts.size(); ++part)
-        if (parts[part] < flat * whole[index(origins[part])]) cells.push_back(origins[part]);
-    std::ranges::sort(cells);
-    return cells;
-}
-
-/// Cuts the cells that are left into convex ones where they are concave (holes through a cell, no
-/// point that sees all faces). Returns false when that changes nothing, or spoils the mesh.
-bool cutConcave(Divisible& work) {
-    std::vector<Label> cells = work.plan.inverted;
-    std::vector<Label> origins;
-    const PolyMesh uncut = withBendsAsPoints(work.mesh, work.bends);
-    PolyMesh cut = uncut;
-    DecompositionCounts counts = decomposeCells(cut, cells, {}, &origins);
-    const std::vector<Label> flat = cellsWithFlatParts(uncut, cut, origins);
-    if (!flat.empty()) {
-        std::erase_if(cells, [&](Label c) { return std::ranges::binary_search(flat, c); });
-        cut = uncut;
-        counts = decomposeCells(cut, cells);
-    }
-    if (counts.cuts + counts.cellPoints + counts.splitFaces == 0 || !validate(cut).empty())
-        return false;
-    work.cutCells += counts.cuts;
-    work.newCells += cut.cellCount - work.mesh.cellCount;
-    work.mesh = std::move(cut);
-    work.bends = takeBends(work.mesh);
     planAgain(work);
     return true;
 }
 
-/// Which of the ways to help are taken.
-struct Way {
-    bool takesBends;
-    bool cutsAlongLoops;
-};
-
-Divisible goThatWay(const PolyMesh& mesh, const Way& way) {
-    constexpr double bent = 0;        // corners that are concave
-    constexpr double straight = 1e-3; // and those that are hardly convex
-    constexpr int attempts = 2;
-    Divisible work;
-    work.mesh = mesh;
-    if (way.takesBends) work.bends = takeBends(work.mesh);
-    work.plan = planSubdivision(work.mesh, work.bends);
-    work.firstInverted = toLabel(work.plan.inverted.size());
-    work.movedPoints = untangle(work.mesh, work.plan);
-    if (way.cutsAlongLoops) {
+/// Cuts cells along loops through their reflex edges.
+void cutWhereConcave(Divisible& work) {
+    constexpr int rounds = 3;
+    splitByDiagonals(work);
+    cutAlongLoops(work);
+    for (int round = 0; round < rounds && straightenEdges(work); ++round) {
         splitByDiagonals(work);
         cutAlongLoops(work);
-        for (const auto& rule : {FaceSplitRule{bent, false}, {straight, false}, {straight, true}}) {
-            splitFaces(work, rule);
-            cutAlongLoops(work);
-        }
-    } else {
-        splitFaces(work, {bent, false});
     }
-    makeCones(work);
-    helpLocally(work);
-    for (int i = 0; i < attempts && !work.plan.inverted.empty(); ++i) {
-        if (cutConcave(work)) helpLocally(work);
-        makeTetrahedra(work);
+}
+
+/// Joins cells that no cut could help with neighbours, while these are still whole.
+void joinHopeless(Divisible& work, const KeptZones& zones) {
+    constexpr int rounds = 3;
+    for (int round = 0; round < rounds; ++round) {
+        const Remedies remedies = remediesOf(work.mesh, work.plan, work.plan.inverted, zones);
+        if (remedies.joined.empty()) return;
+        work.joinedCells += toLabel(remedies.joined.size());
+        work.mesh = withJoinedCells(std::move(work.mesh), remedies.joined);
+        planAgain(work);
     }
-    return work;
+}
+
+/// Whatever it takes: cells that are left become tetrahedra, step by step, and neighbours that
+/// suffer from it cones.
+void useRemedies(Divisible& work, const KeptZones& zones) {
+    constexpr int rounds = 16;
+    for (int round = 0; round < rounds && !work.plan.inverted.empty(); ++round) {
+        if (round > 0) helpLocally(work);
+        straightenEdges(work);
+        const Remedies remedies = remediesOf(work.mesh, work.plan, work.plan.inverted, zones);
+        if (remedies.empty()) break;
+        const Label before = work.mesh.cellCount;
+        work.splitFaces += toLabel(remedies.faces.size());
+        work.conedCells += toLabel(remedies.cells.size());
+        work.joinedCells += toLabel(remedies.joined.size());
+        work.mesh = withRemedies(std::move(work.mesh), remedies);
+        work.newCells += work.mesh.cellCount - before + toLabel(remedies.joined.size());
+        planAgain(work);
+    }
 }
 
 } // namespace
 
-Divisible makeDivisible(PolyMesh mesh) {
-    constexpr Way best{true, true};
-    constexpr std::array<Way, 2> others{{{false, true}, {false, false}}};
-    Divisible work = goThatWay(mesh, best);
-    for (const Way& way : others) {
-        if (work.plan.inverted.empty()) break;
-        Divisible other = goThatWay(mesh, way);
-        if (other.plan.inverted.size() < work.plan.inverted.size()) work = std::move(other);
-    }
+Divisible makeDivisible(PolyMesh mesh, const KeptZones& zones) {
+    const std::vector<FaceGeometry> boundary = boundaryGeometry(mesh);
     std::vector<Label> sizes;
     for (const Patch& patch : mesh.patches)
         sizes.push_back(patch.size);
-    keepVolume(work.mesh, sizes, boundaryGeometry(mesh), work.plan);
+    Divisible work;
+    work.mesh = std::move(mesh);
+    work.bends = takeBends(work.mesh);
+    work.plan = planSubdivision(work.mesh, work.bends);
+    work.firstInverted = toLabel(work.plan.inverted.size());
+    work.movedPoints = untangle(work.mesh, work.plan);
+    if (!work.plan.inverted.empty()) {
+        cutWhereConcave(work);
+        joinHopeless(work, zones);
+        splitAndCut(work);
+        makeCones(work);
+        helpLocally(work);
+        useRemedies(work, zones);
+    }
+    keepVolume(work.mesh, sizes, boundary, work.plan);
     return work;
 }
 

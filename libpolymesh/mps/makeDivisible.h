@@ -4,6 +4,7 @@
 
 #include "libpolymesh/mesh/polyMesh.h"
 #include "libpolymesh/mps/midPointSubdivision.h"
+#include "libpolymesh/mps/remedies.h"
 
 namespace polymesh {
 
@@ -16,16 +17,18 @@ struct Divisible {
     Label splitFaces = 0;    // faces replaced by pieces
     Label conedCells = 0;    // cells replaced by cones over a new point
     Label cutCells = 0;      // cuts of concave cells (quality/convexDecomposition.h)
+    Label joinedCells = 0;   // cells joined with a neighbour
     Label newCells = 0;      // by which the mesh has grown
     Label movedPoints = 0;   // new and hanging points inside that left their places
 };
 
-/// Prepares a mesh for mid-point subdivision: plans it, and where a cell would have an inverted
-/// part splits its bent faces by diagonals, moves hanging points, splits its straight faces, and
-/// replaces the cell by cones, whichever comes first to help. What can not be helped is left in
-/// plan.inverted. Cells that divide well as they are, are not touched, unless they share a face
-/// that had to be split.
-/// Cost: as planSubdivision, and about 1 ms for each cell in need.
-Divisible makeDivisible(PolyMesh mesh);
+/// Prepares a mesh for mid-point subdivision: plans it, and changes the cells that would have an
+/// inverted part: bends become middles of edges, concave cells are cut along loops, faces are split
+/// by diagonals, cells replaced by cones, in the end by tetrahedra, and joined with a neighbour
+/// where nothing else helps; whichever comes first (docs/mpsSplit.md). What can not be helped is
+/// left in plan.inverted. Cells that divide well as they are, are not touched, unless they share a
+/// face that had to be split. The points of warped boundary faces are such that the volume stays.
+/// Cost: ten to twenty times planSubdivision, and about 1 ms for each cell in need.
+Divisible makeDivisible(PolyMesh mesh, const KeptZones& zones = {});
 
 } // namespace polymesh

@@ -62,6 +62,15 @@ bool anyHexCorner(const PartPoints& parts, const CellCorners::Node& node, Use&& 
     return use(PartCorner{parts.centre(), face[0], face[1], face[2]});
 }
 
+/// Calls use(corner) for those of the corners of a node's hexahedron that its cell's point takes no
+/// part in until it returns true.
+template<class Use>
+bool anyOuterHexCorner(const PartPoints& parts, const CellCorners::Node& node, Use&& use) {
+    return anyHexCorner(parts, node, [&](const PartCorner& corner) {
+        return std::ranges::find(corner, parts.centre()) == corner.end() && use(corner);
+    });
+}
+
 /// Calls use(corner) for the 4 corners of the base of each pyramid of a node until it returns true.
 template<class Use>
 bool anyPyramidCorner(const PartPoints& parts,
@@ -109,7 +118,8 @@ Vec3 apexOf(const PartPoints& parts, const CellCorners::Node& node) {
     PartPoints own = parts;
     own.apices = mean;
     const auto isBad = [&](const PartCorner& corner) { return isInvertedAt(own, corner); };
-    if (!anyPyramidCorner(own, node, own.firstApex, isBad)) return mean[0];
+    // Two of the four pyramids of a node of valence 2 face each other: no point is right for both.
+    if (node.valence == 2 || !anyPyramidCorner(own, node, own.firstApex, isBad)) return mean[0];
     std::vector<HalfSpace> halfSpaces;
     double reach = 0;
     anyPyramidCorner(own, node, own.firstApex, [&](const PartCorner& corner) {
@@ -154,6 +164,9 @@ bool hasInvertedPart(const PartPoints& parts) {
 }
 
 Vec3 cellPoint(const PartPoints& parts, const Vec3& start) {
+    const auto isBad = [&](const PartCorner& corner) { return isInvertedAt(parts, corner); };
+    for (const CellCorners::Node& node : parts.cell.nodes())
+        if (node.valence == 3 && anyOuterHexCorner(parts, node, isBad)) return start;
     std::vector<HalfSpace> halfSpaces;
     const auto add = [&](Label a, Label b, Label at) {
         addHalfSpace(

@@ -62,7 +62,8 @@ bool isInverted(const Vec3& a, const Vec3& b, const Vec3& c);
 bool hasInvertedPart(const PartPoints& parts);
 
 /// A point from which the faces of the hexahedra of a cell are seen as they must be, so that no
-/// corner that it takes part in is inverted; `start` where there is none or when it is one.
+/// corner that it takes part in is inverted; `start` where there is none, when it is one, or when
+/// other corners are inverted.
 Vec3 cellPoint(const PartPoints& parts, const Vec3& start);
 
 /// The further points of the cell's nodes of other valence than 3, added to `apices`: the mean of

@@ -3,6 +3,7 @@
 #include "libpolymesh/mps/splitFaces.h"
 
 #include "libpolymesh/base/parallel.h"
+#include "libpolymesh/mps/chords.h"
 
 #include <algorithm>
 #include <limits>
@@ -25,10 +26,11 @@ double scaledTriple(const Vec3& a, const Vec3& b, const Vec3& c) {
 class FaceSplitter {
 public:
     FaceSplitter(const PolyMesh& mesh,
+                 const Bends& bends,
                  const SubdivisionPlan& plan,
                  std::span<const Label> cells,
                  const FaceSplitRule& rule)
-        : mesh_(mesh), plan_(plan), cells_(cells), rule_(rule) {}
+        : mesh_(mesh), bends_(bends), plan_(plan), cells_(cells), rule_(rule) {}
 
     /// The pieces of a face; itself alone when it has no corner to split or no way to.
     std::vector<Polygon> piecesOf(Label face) {
@@ -131,7 +133,9 @@ private:
         for (std::size_t i = 0; bad > 0 && n > 3 && i < n; ++i)
             for (std::size_t j = 0; value[i] < rule_.least && j < n; ++j) {
                 const std::size_t gap = (j + n - i) % n;
-                if (gap < 2 || gap > n - 2 || areJoined(polygon[i], polygon[j])) continue;
+                if (gap < 2 || gap > n - 2 || areJoined(polygon[i], polygon[j]) ||
+                    !isChord(mesh_, bends_, polygon, i, j))
+                    continue;
                 const auto score = scoreOf(polygon, {i, j}, value, bad);
                 if (score < bestScore) best = {i, j};
                 bestScore = std::min(bestScore, score);
@@ -159,6 +163,7 @@ private:
     }
 
     const PolyMesh& mesh_;
+    const Bends& bends_;
     const SubdivisionPlan& plan_;
     std::span<const Label> cells_;
     FaceSplitRule rule_;
@@ -240,30 +245,16 @@ PolyMesh withPieces(PolyMesh mesh, std::span<const FacePieces> faces) {
 }
 
 std::vector<FacePieces> piecesOfFaces(const PolyMesh& mesh,
+                                      const Bends& bends,
                                       const SubdivisionPlan& plan,
                                       std::span<const Label> cells,
                                       const FaceSplitRule& rule) {
     const std::vector<Label> faces = facesOf(plan, cells);
-    FaceSplitter splitter(mesh, plan, cells, rule);
+    FaceSplitter splitter(mesh, bends, plan, cells, rule);
     std::vector<FacePieces> result;
     for (const Label face : faces)
         if (FacePieces split{face, splitter.piecesOf(face)}; split.pieces.size() > 1)
             result.push_back(std::move(split));
-    return result;
-}
-
-std::vector<FacePieces>
-fansOfFaces(PolyMesh& mesh, const SubdivisionPlan& plan, std::span<const Label> cells) {
-    std::vector<FacePieces> result;
-    for (const Label face : facesOf(plan, cells)) {
-        const auto loop = std::as_const(mesh.faces)[face];
-        if (loop.size() < 4) continue;
-        FacePieces fan{face, {}};
-        for (std::size_t i = 0; i < loop.size(); ++i)
-            fan.pieces.push_back({loop[i], loop[(i + 1) % loop.size()], mesh.pointCount()});
-        mesh.points.push_back(plan.points[index(plan.layout.firstFace + face)]);
-        result.push_back(std::move(fan));
-    }
     return result;
 }
 

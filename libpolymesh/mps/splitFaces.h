@@ -3,6 +3,7 @@
 #pragma once
 
 #include "libpolymesh/mesh/polyMesh.h"
+#include "libpolymesh/mps/bends.h"
 #include "libpolymesh/mps/midPointSubdivision.h"
 
 #include <span>
@@ -36,16 +37,12 @@ struct FaceSplitRule {
 };
 
 /// Finds the pieces of faces of `cells` (ascending) with corners to split: diagonals that leave the
-/// fewest of them, the best corners among equals. No diagonal joins points that are joined already.
+/// fewest of them, the best corners among equals. Diagonals run inside the face and
+/// join no points that are joined already.
 std::vector<FacePieces> piecesOfFaces(const PolyMesh& mesh,
+                                      const Bends& bends,
                                       const SubdivisionPlan& plan,
                                       std::span<const Label> cells,
                                       const FaceSplitRule& rule);
-
-/// Pieces for all faces of `cells` (ascending) that are no triangles: the triangles from the face's
-/// point in the plan, which is added to the mesh's points, to its edges. Cones over them are
-/// tetrahedra, which divide well where diagonals would not do: at concave corners of warped faces.
-std::vector<FacePieces>
-fansOfFaces(PolyMesh& mesh, const SubdivisionPlan& plan, std::span<const Label> cells);
 
 } // namespace polymesh

@@ -60,6 +60,19 @@ TEST(MpsSplit, dividesATrimmedMesh) {
     EXPECT_NEAR(report["volume"], 0.125, 1e-12);
 }
 
+TEST(MpsSplit, curvedPartsKeepTheirVolumeAndHaveNoInvertedPart) {
+    const TemporaryCase box;
+    std::filesystem::create_directories(box.dir() / "constant/triSurface");
+    writeSurface(test::sphere(4, .41, {.5, .5, .5}), box.dir() / "constant/triSurface/part.obj");
+    const ProgramResult result =
+        box.run("blockInit -box '0 0 0 1 1 1' -cells '9 9 9' -quiet && trimSurface -surface "
+                "part.obj -quiet && mpsSplit -json report.json");
+    EXPECT_EQ(result.status, 0) << result.out << result.err;
+    const auto report = nlohmann::json::parse(box.read("report.json"));
+    EXPECT_LE(std::abs(report["volumeError"].get<double>()), 1e-12);
+    EXPECT_EQ(report["invertedCells"], 0);
+}
+
 TEST(MpsSplit, refusesAMeshThatIsNotClosedAndKeepsIt) {
     const MeshCase open(test::openCell());
     const PolyMesh before = open.mesh();

@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: The polymesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "libpolymesh/mps/remedies.h"
+
+#include "libpolymesh/mesh/topology.h"
+#include "libpolymesh/mps/chords.h"
+#include "libpolymesh/mps/joinCells.h"
+#include "libpolymesh/mps/starPieces.h"
+#include "tests/libpolymesh/mps/divided.h"
+#include "tests/support/meshes.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+namespace polymesh {
+
+namespace {
+
+bool always(Label, Label) {
+    return true;
+}
+
+double areaOf(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles) {
+    double sum = 0;
+    for (const Triangle& t : triangles)
+        sum += 0.5 * cross(points[index(t[1])] - points[index(t[0])],
+                           points[index(t[2])] - points[index(t[0])])
+                         .z;
+    return sum;
+}
+
+/// The triangles of a cell, seen from outside, and its volume.
+std::vector<Triangle> trianglesOf(const PolyMesh& mesh, Label cell) {
+    std::vector<Triangle> triangles;
+    const Rows<Label> faces = cellFaces(mesh);
+    for (const Label face : faces[cell])
+        for (Triangle t : triangulate(mesh.points, mesh.faces[face], always)) {
+            if (mesh.owner[index(face)] != cell) std::swap(t[1], t[2]);
+            triangles.push_back(t);
+        }
+    return triangles;
+}
+
+double volumeOver(const std::vector<Vec3>& points, const Triangle& t, const Vec3& apex) {
+    const Vec3 a = points[index(t[0])] - apex;
+    return dot(a, cross(points[index(t[1])] - apex, points[index(t[2])] - apex)) / 6;
+}
+
+/// The volume of the tetrahedra over the centres of all pieces; each must be above zero.
+double volumeOf(const std::vector<Vec3>& points,
+                const std::vector<Triangle>& triangles,
+                const StarPieces& pieces) {
+    double sum = 0;
+    const auto add = [&](const Triangle& t, int piece) {
+        const double own = volumeOver(points, t, pieces.centres[static_cast<std::size_t>(piece)]);
+        EXPECT_GT(own, 0);
+        sum += own;
+    };
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+        add(triangles[t], pieces.pieceOf[t]);
+    for (const PieceWall& wall : pieces.walls) {
+        add(wall.triangle, wall.inside);
+        add({wall.triangle[0], wall.triangle[2], wall.triangle[1]}, wall.outside);
+    }
+    return sum;
+}
+
+/// A prism of height 1 over a polygon that runs round to the left.
+PolyMesh prism(const std::vector<Vec3>& base) {
+    const Label n = toLabel(base.size());
+    PolyMesh mesh;
+    mesh.points = base;
+    for (const Vec3& p : base)
+        mesh.points.push_back(p + Vec3{0, 0, 1});
+    std::vector<Label> bottom(base.size());
+    std::vector<Label> top(base.size());
+    std::iota(top.begin(), top.end(), n);
+    std::iota(bottom.rbegin(), bottom.rend(), 0);
+    mesh.faces.add(bottom);
+    mesh.faces.add(top);
+    for (Label i = 0; i < n; ++i)
+        mesh.faces.add(std::vector<Label>{i, (i + 1) % n, (i + 1) % n + n, i + n});
+    mesh.owner.assign(base.size() + 2, 0);
+    mesh.cellCount = 1;
+    mesh.patches.push_back({"walls", "wall", 0, n + 2, {}});
+    return mesh;
+}
+
+/// A U, which no single point sees all of.
+PolyMesh uShape() {
+    return prism({{0, 0, 0},
+                  {3, 0, 0},
+                  {3, 2, 0},
+                  {2, 2, 0},
+                  {2, 0.5, 0},
+                  {1, 0.5, 0},
+                  {1, 2, 0},
+                  {0, 2, 0}});
+}
+
+} // namespace
+
+TEST(Triangulate, fillsAConcavePolygonWithoutTurningTrianglesOver) {
+    const PolyMesh u = uShape();
+    const std::vector<Label> top(u.faces[1].begin(), u.faces[1].end());
+    const auto triangles = triangulate(u.points, top, always);
+    EXPECT_EQ(triangles.size(), 6U);
+    EXPECT_NEAR(areaOf(u.points, triangles), 4.5, 1e-14);
+    for (const Triangle& t : triangles)
+        EXPECT_GT(areaOf(u.points, {t}), 0);
+}
+
+TEST(Triangulate, isEmptyWhereNoDiagonalIsAllowed) {
+    const PolyMesh u = uShape();
+    EXPECT_TRUE(triangulate(u.points, u.faces[1], [](Label, Label) { return false; }).empty());
+}
+
+TEST(Chords, runInsideThePolygonAndRespectBends) {
+    const PolyMesh u = uShape();
+    const auto top = u.faces[1]; // corners as in the list of points
+    EXPECT_TRUE(isChord(u, {}, top, 0, 5));
+    EXPECT_FALSE(isChord(u, {}, top, 2, 7)); // across the gap
+    EXPECT_FALSE(isChord(u, {}, top, 0, 3)); // leaves and comes back
+    const Bends bend{{{top[4], top[5]}, {1.5, -0.2, 1}}};
+    EXPECT_TRUE(isChord(u, {}, top, 0, 4));
+    EXPECT_FALSE(isChord(u, bend, top, 0, 4));
+}
+
+TEST(StarPieces, aConvexCellIsOnePiece) {
+    const PolyMesh cube = test::unitCube();
+    const auto triangles = trianglesOf(cube, 0);
+    const auto pieces = starPieces(cube.points, triangles, always);
+    ASSERT_TRUE(pieces);
+    EXPECT_EQ(pieces->centres.size(), 1U);
+    EXPECT_TRUE(pieces->walls.empty());
+    EXPECT_NEAR(volumeOf(cube.points, triangles, *pieces), 1, 1e-14);
+}
+
+TEST(StarPieces, aUIsCutAndKeepsItsVolume) {
+    const PolyMesh u = uShape();
+    const auto triangles = trianglesOf(u, 0);
+    EXPECT_FALSE(starPieces(u.points, triangles, always, 1));
+    const auto pieces = starPieces(u.points, triangles, always);
+    ASSERT_TRUE(pieces);
+    EXPECT_GT(pieces->centres.size(), 1U);
+    EXPECT_NEAR(volumeOf(u.points, triangles, *pieces), 4.5, 1e-13);
+}
+
+TEST(JoinCells, facesBetweenThemGoAndZonesFollow) {
+    PolyMesh mesh = test::box(3, 1, 1);
+    mesh.cellZones.push_back({"all", {0, 1, 2}, {}});
+    mesh.faceZones.push_back({"first", {0}, {false}});
+    const PolyMesh joined = withJoinedCells(mesh, std::vector{std::pair<Label, Label>{1, 0}});
+    EXPECT_TRUE(validate(joined).empty());
+    EXPECT_EQ(joined.cellCount, 2);
+    EXPECT_EQ(joined.internalFaceCount(), mesh.internalFaceCount() - 1);
+    EXPECT_EQ(joined.cellZones[0].labels, (std::vector<Label>{0, 1}));
+    EXPECT_TRUE(joined.faceZones[0].labels.empty());
+    EXPECT_NEAR(test::volumeOf(joined), test::volumeOf(mesh), 1e-12);
+}
+
+/// Takes step after step until no part is inverted; counts the cells joined.
+std::size_t remedied(PolyMesh& mesh) {
+    constexpr int steps = 8;
+    const double volume = test::volumeOf(mesh);
+    std::size_t joined = 0;
+    SubdivisionPlan plan = planSubdivision(mesh);
+    EXPECT_FALSE(plan.inverted.empty());
+    for (int step = 0; step < steps && !plan.inverted.empty(); ++step) {
+        const Remedies remedies = remediesOf(mesh, plan, plan.inverted);
+        joined += remedies.joined.size();
+        mesh = withRemedies(mesh, remedies);
+        EXPECT_TRUE(validate(mesh).empty());
+        plan = planSubdivision(mesh);
+    }
+    EXPECT_TRUE(plan.inverted.empty());
+    EXPECT_NEAR(test::volumeOf(mesh), volume, 1e-12 * volume);
+    return joined;
+}
+
+TEST(Remedies, aUEndsAsPartsThatAreAllRight) {
+    PolyMesh mesh = uShape();
+    EXPECT_EQ(remedied(mesh), 0U);
+    EXPECT_EQ(demandedCounts(mesh).pyramids, 0);
+}
+
+} // namespace polymesh

@@ -1,14 +1,16 @@
 // SPDX-FileCopyrightText: The polymesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// blockInit: options and dictionary -> CartesianBox -> constant/polyMesh.
+// blockInit: options and dictionary -> CartesianBox -> constant/polyMesh; blockMeshDict: see
+// blockInitBlocks.
 
 #include "formats/foam/polyMeshWriter.h"
 #include "formats/surfaceIo.h"
 #include "libpolymesh/base/error.h"
 #include "libpolymesh/initial/cartesian.h"
 #include "libpolymesh/initial/flatSides.h"
-#include "tools/toolMain.h"
+#include "tools/blockInitBlocks.h"
+#include "tools/blockMeshDict.h"
 
 #include <cmath>
 #include <limits>
@@ -34,8 +36,7 @@ bool isRoundSurface(const Settings& settings) {
     const bool given = settings.has("box") || settings.has("cells");
     require(round || given,
             "nothing says what to mesh: give -surface FILE -cellSize H, or -box CORNERS -cells "
-            "COUNTS, or the same in {}",
-            "system/blockInitDict");
+            "COUNTS, or the same in system/blockInitDict, or blocks in system/blockMeshDict");
     if (round != given) return round;
     const bool roundOption = settings.isOption("surface") || settings.isOption("cellSize");
     const bool givenOption = settings.isOption("box") || settings.isOption("cells");
@@ -139,6 +140,8 @@ void report(ToolRun& tool, const CartesianBox& box, const CartesianMesh& mesh) {
 }
 
 ExitCode run(ToolRun& tool) {
+    const std::filesystem::path blocks = blockMeshDictOf(tool);
+    if (!blocks.empty()) return runBlocks(tool, blocks);
     const CartesianBox box =
         isRoundSurface(tool.settings) ? boxRoundSurface(tool) : boxGiven(tool.settings);
     const CartesianMesh mesh(box);
@@ -153,9 +156,13 @@ ExitCode run(ToolRun& tool) {
 
 Tool thisTool() {
     return {"blockInit",
-            "makes the initial mesh of hexahedra, a box divided into cubes or bricks",
+            "makes the initial mesh of hexahedra: a box divided into cubes or bricks, or the "
+            "blocks of system/blockMeshDict, as OpenFOAM's blockMesh does",
             options,
-            run};
+            run,
+            {},
+            {},
+            isBlockMeshDict};
 }
 
 } // namespace polymesh::tools

@@ -76,9 +76,10 @@ ToolRun prepare(const Tool& tool, Settings settings) {
                     .report = nlohmann::ordered_json::object(),
                     .quiet = quiet};
     toolRun.dictionary = dictionaryOf(toolRun, tool.name);
-    if (!toolRun.dictionary.empty())
-        addDictionary(
-            toolRun.settings, foam::readDictionary(toolRun.dictionary), tool.dictionaryOnly);
+    if (toolRun.dictionary.empty()) return toolRun;
+    const foam::Dictionary dictionary = foam::readDictionary(toolRun.dictionary);
+    if (!tool.isOwnDictionary || !tool.isOwnDictionary(dictionary))
+        addDictionary(toolRun.settings, dictionary, tool.dictionaryOnly);
     return toolRun;
 }
 

@@ -65,6 +65,8 @@ struct Tool {
     std::vector<std::string> dictionaryOnly = {};
     /// Options whose values may stand alone on the command line, in this order.
     std::vector<std::string> words = {};
+    /// Whether a dictionary is in another language, which the tool reads itself.
+    std::function<bool(const foam::Dictionary&)> isOwnDictionary = {};
 };
 
 /// The tool that a program is. Each program defines it; main.cpp, the same for all, runs it.

@@ -141,14 +141,15 @@ private:
     std::vector<Entry> entries_;
 };
 
-/// What to do with #calc, #codeStream and other directives that would need OpenFOAM itself.
+/// What to do with #codeStream and other directives that would need OpenFOAM itself.
 enum class Directives {
     refuse, // InputError that names the directive
     skip    // as if the entry were not there: for files of which we need a few plain entries
 };
 
 /// Reads a dictionary file: nested dictionaries, lists, $macros ($key, ${key}, $..key, $:top.key),
-/// #include, #includeIfPresent and #remove, comments, "strings" and #{ verbatim text #}.
+/// #include (also inside a list), #includeIfPresent and #remove, #eval and #calc of arithmetic
+/// (expression.h), comments, "strings" and #{ verbatim text #}.
 /// Throws InputError with file and line.
 Dictionary readDictionary(const std::filesystem::path& path,
                           Directives directives = Directives::refuse);

@@ -3,6 +3,7 @@
 #include "formats/foam/dictionary.h"
 #include "formats/foam/dictionaryScopes.h"
 #include "formats/foam/dictionaryTokens.h"
+#include "formats/foam/expression.h"
 
 #include <algorithm>
 #include <fstream>
@@ -42,6 +43,10 @@ private:
 /// An entry that can not be evaluated here is dropped in skip mode.
 struct Skipped {};
 
+bool isInclude(std::string_view directive) {
+    return directive == "#include" || directive == "#includeIfPresent" || directive == "#sinclude";
+}
+
 class Parser {
 public:
     Parser(std::string_view text, const std::string& name, Session& session)
@@ -50,10 +55,15 @@ public:
     /// Reads entries into the innermost scope up to the end of the file, or past a }.
     void readEntries(bool nested);
 
+    /// Reads values up to the end of the file: one that is included inside a list or an entry.
+    void readItems(std::vector<Value>& values);
+
 private:
     void readEntry();
     void readValues(Entry& entry);
     bool readSpecialValue(std::vector<Value>& values);
+    void readValueDirective(std::vector<Value>& values);
+    Value readExpression(const std::string& directive);
     Value readValue();
     Value readList(char close);
     Value readWordOrList();
@@ -62,7 +72,7 @@ private:
     std::shared_ptr<const Dictionary> readDictionary(const std::string& key);
 
     void readDirective();
-    void include(bool optional);
+    void include(bool optional, std::vector<Value>* values);
     void removeEntries();
 
     const Entry& readMacro();
@@ -160,11 +170,50 @@ bool Parser::readSpecialValue(std::vector<Value>& values) {
         return true;
     }
     if (tokens_.look() == '#' && tokens_.look(1) != '{') {
-        const std::string name = tokens_.readName();
+        readValueDirective(values);
+        return true;
+    }
+    return false;
+}
+
+/// Reads #eval, #calc or #include in place of values.
+void Parser::readValueDirective(std::vector<Value>& values) {
+    const std::string name = tokens_.readName();
+    if (name == "#eval" || name == "#calc") {
+        values.push_back(readExpression(name));
+    } else if (isInclude(name)) {
+        include(name != "#include", &values);
+    } else {
         if (session_.directives == Directives::skip) throw Skipped{};
         tokens_.fail("{} is not supported; write its result instead", name);
     }
-    return false;
+}
+
+/// Reads "expression", {expression} or #{ expression #} and gives its value.
+Value Parser::readExpression(const std::string& directive) {
+    tokens_.skipBlanks();
+    Value value = tokens_.blank(Value::Kind::number);
+    const char c = tokens_.look();
+    if (c != '"' && c != '{' && c != '#')
+        tokens_.fail("{}: expected \"expression\" or {{expression}}", directive);
+    const std::string text = c == '"'   ? tokens_.readQuoted()
+                             : c == '{' ? tokens_.readBraced()
+                                        : tokens_.readVerbatim();
+    const auto variable = [this](std::string_view name) -> std::optional<double> {
+        const Entry* entry = session_.scopes.find(name);
+        if (entry == nullptr || entry->values.size() != 1) return std::nullopt;
+        const Value& found = entry->values.front();
+        return found.kind == Value::Kind::number ? std::optional(found.number) : std::nullopt;
+    };
+    const Division division = directive == "#calc" ? Division::whole : Division::exact;
+    try {
+        value.number = evaluateExpression(text, variable, value.place, division);
+    } catch (const InputError&) {
+        if (session_.directives == Directives::skip) throw Skipped{};
+        throw;
+    }
+    value.text = fmt::format("{}", value.number);
+    return value;
 }
 
 Value Parser::readValue() {
@@ -232,8 +281,7 @@ Value Parser::readSizedList(const Value& count) {
 
 void Parser::readDirective() {
     const std::string name = tokens_.readName();
-    if (name == "#include" || name == "#includeIfPresent" || name == "#sinclude")
-        return include(name != "#include");
+    if (isInclude(name)) return include(name != "#include", nullptr);
     if (name == "#remove") return removeEntries();
     if (session_.directives == Directives::refuse)
         tokens_.fail("{} is not supported; write what it stands for", name);
@@ -256,15 +304,32 @@ std::string readWholeFile(const fs::path& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-void parseFile(const fs::path& path, Session& session) {
+/// Reads a file as entries, or, when there is `values`, as values.
+void parseFile(const fs::path& path, Session& session, std::vector<Value>* values = nullptr) {
     const fs::path canonical = fs::weakly_canonical(path);
     session.openFiles.push_back(canonical);
     const std::string text = readWholeFile(path);
-    Parser(text, path.string(), session).readEntries(false);
+    Parser parser(text, path.string(), session);
+    if (values == nullptr)
+        parser.readEntries(false);
+    else
+        parser.readItems(*values);
     session.openFiles.pop_back();
 }
 
-void Parser::include(bool optional) {
+void Parser::readItems(std::vector<Value>& values) {
+    while (true) {
+        tokens_.skipBlanks();
+        if (tokens_.atEnd()) return;
+        if (tokens_.look() == ')' || tokens_.look() == ']' || tokens_.look() == '}' ||
+            tokens_.look() == ';')
+            tokens_.fail("'{}' is not expected in a file that is included inside a list",
+                         tokens_.look());
+        if (!readSpecialValue(values)) values.push_back(readValue());
+    }
+}
+
+void Parser::include(bool optional, std::vector<Value>* values) {
     tokens_.skipBlanks();
     if (tokens_.look() != '"') tokens_.fail("#include: expected a \"file name\"");
     const Level level = enter();
@@ -277,7 +342,7 @@ void Parser::include(bool optional) {
     const auto& open = session_.openFiles;
     if (std::ranges::find(open, fs::weakly_canonical(path)) != open.end())
         tokens_.fail("#include: {} includes itself", path.string());
-    parseFile(path, session_);
+    parseFile(path, session_, values);
 }
 
 /// Reads $name and returns the entry that it means.

@@ -144,6 +144,20 @@ std::string DictionaryTokens::readQuoted() {
     return text;
 }
 
+std::string DictionaryTokens::readBraced() {
+    const Place start = place();
+    std::string text;
+    ++here_;
+    for (int depth = 0; look() != '}' || depth > 0; step()) {
+        if (atEnd()) throw InputError(start.text() + ": this { has no matching }");
+        if (look() == '{') ++depth;
+        if (look() == '}') --depth;
+        text += look();
+    }
+    ++here_;
+    return text;
+}
+
 std::string DictionaryTokens::readVerbatim() {
     const Place start = place();
     std::string text;

@@ -57,6 +57,9 @@ public:
     /// Reads "text".
     std::string readQuoted();
 
+    /// Reads {text}, in which braces are balanced.
+    std::string readBraced();
+
     /// Reads #{ text #}.
     std::string readVerbatim();
 

@@ -140,7 +140,15 @@ INSTANTIATE_TEST_SUITE_P(
         WrongText{"a 1; /* b\n", "dict:1: this comment has no end; a */ is missing"},
         WrongText{"a $none;", "dict:1: $none: there is no such entry before this line"},
         WrongText{"a 1; $a;", "dict:1: a is a value; expected a dictionary here"},
-        WrongText{"a #calc \"1+1\";", "dict:1: #calc is not supported; write its result instead"},
+        WrongText{"a #calc \"f(1)\";", "dict:1: the expression 'f(1)': 'f' is not supported"},
+        WrongText{"\na #eval{ 1/0 };", "dict:2: the expression ' 1/0 ': division by zero"},
+        WrongText{"a #eval{ 1 + };",
+                  "dict:1: the expression ' 1 + ': something is missing at the end"},
+        WrongText{"a #eval 1;", "dict:1: #eval: expected \"expression\" or {expression}"},
+        WrongText{"a #eval{ $b };",
+                  "dict:1: the expression ' $b ': $b is no number that stands before this line"},
+        WrongText{"a #codeStream {};",
+                  "dict:1: #codeStream is not supported; write its result instead"},
         WrongText{"\n#codeStream {}",
                   "dict:2: #codeStream is not supported; write what it stands for"},
         WrongText{"a 3(1 2);", "dict:1: list: found 3, expected 2, the length of the list"},
@@ -170,6 +178,32 @@ TEST(Dictionary, namesTheNearestKnownKey) {
               }),
               "dict:3: unknown key 'margn'; did you mean 'margin'?");
     EXPECT_EQ(inputError([&] { requireKnownKeys(dict, {"cellSize", "margn"}); }), "no InputError");
+}
+
+TEST(Dictionary, evaluatesArithmetic) {
+    const Dictionary dict = parse(R"(
+        h 3; d { w 0.5; }
+        a #eval{ 2*$h - -1 }; b #eval "($h + 1)/8"; c #calc "1/2 + 7/2.0";
+        e ( #eval{ sqrt(${h}*3) } #calc #{ pow(2, $:d.w*4) - Foam::sin(0.0) #} );
+        f #eval{ sin(degToRad(90))*max(1, pi()) };)");
+    EXPECT_EQ(dict.scalar("a"), 7);
+    EXPECT_EQ(dict.scalar("b"), 0.5);
+    EXPECT_EQ(dict.scalar("c"), 3.5); // whole numbers divide as in C++
+    EXPECT_EQ(dict.scalars("e"), (std::vector<double>{3, 4}));
+    EXPECT_DOUBLE_EQ(dict.scalar("f"), 3.141592653589793);
+    EXPECT_NE(inputError([] { parse("a #eval{" + std::string(10000, '(') + "};"); }).find("nested"),
+              std::string::npos);
+}
+
+TEST(Dictionary, includesValuesInsideAList) {
+    const test::TemporaryDirectory dir;
+    writeText(dir.path() / "part", "1 (2 3) // end");
+    writeText(dir.path() / "dict", "a (0 #include \"part\" 4);");
+    const Dictionary dict = readDictionary(dir.path() / "dict");
+    EXPECT_EQ(dict.list("a").size(), 4U);
+    writeText(dir.path() / "part", "1 )");
+    EXPECT_NE(inputError([&] { readDictionary(dir.path() / "dict"); }).find("part:1: ')'"),
+              std::string::npos);
 }
 
 TEST(Dictionary, skipsDirectivesOnDemand) {

@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: The polymesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "libpolymesh/initial/blockNumbering.h"
+
+#include "libpolymesh/base/error.h"
+#include "libpolymesh/base/parallel.h"
+#include "libpolymesh/geometry/box.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace polymesh {
+namespace {
+
+/// Points of a block that are nearer than this share of its size coincide.
+constexpr double coincidence = 1e-14;
+
+/// Sets of block points; the lowest label stands for each.
+class PointSets {
+public:
+    explicit PointSets(std::size_t size) : parent_(size) {
+        parallelFor(toLabel(size), [&](Label p) { parent_[index(p)] = p; });
+    }
+
+    void unite(Label a, Label b) {
+        a = lowest(a);
+        b = lowest(b);
+        parent_[index(std::max(a, b))] = std::min(a, b);
+    }
+
+    /// Replaces each point by its number among the sets; returns how many there are.
+    Label number(std::vector<Label>& numbers) {
+        Label count = 0;
+        for (std::size_t p = 0; p < parent_.size(); ++p) {
+            // A parent is lower than its child, so it has its number already.
+            const Label parent = parent_[p];
+            parent_[p] = index(parent) == p ? count++ : parent_[index(parent)];
+        }
+        numbers = std::move(parent_);
+        return count;
+    }
+
+private:
+    Label lowest(Label p) {
+        while (parent_[index(p)] != p) {
+            parent_[index(p)] = parent_[index(parent_[index(p)])];
+            p = parent_[index(p)];
+        }
+        return p;
+    }
+
+    std::vector<Label> parent_;
+};
+
+/// Calls visit(u, v, neighbour u, neighbour v) for neighbouring points along u and along v.
+template<class Visit>
+void forNeighbours(const SideGrid& side, Visit&& visit) {
+    for (Label v = 0; v <= side.counts[1]; ++v)
+        for (Label u = 0; u <= side.counts[0]; ++u) {
+            if (u < side.counts[0]) visit(side.point(u, v), side.point(u + 1, v));
+            if (v < side.counts[1]) visit(side.point(u, v), side.point(u, v + 1));
+        }
+}
+
+double coincidence2(std::span<const Vec3> points) {
+    const double tolerance = coincidence * norm(boundingBox(points).size());
+    return tolerance * tolerance;
+}
+
+/// Whether an edge of the block has no length. Only then points of the block coincide.
+bool hasCollapsedEdge(const BlockMeshDescription& description, const Block& block) {
+    std::array<Vec3, 8> corners;
+    for (std::size_t c = 0; c < 8; ++c)
+        corners[c] = description.vertices[index(block.vertices[c])];
+    const double tolerance2 = coincidence2(corners);
+    return std::ranges::any_of(hexEdges, [&](const auto& edge) {
+        return squaredNorm(corners[edge[0]] - corners[edge[1]]) <= tolerance2;
+    });
+}
+
+void uniteCollapsed(const Block& block,
+                    const std::vector<Vec3>& points,
+                    Label firstPoint,
+                    PointSets& sets) {
+    const double tolerance2 = coincidence2(points);
+    for (std::size_t s = 0; s < 6; ++s)
+        forNeighbours(sideGrid({block.cells}, s), [&](Label p, Label q) {
+            if (squaredNorm(points[index(p)] - points[index(q)]) <= tolerance2)
+                sets.unite(firstPoint + p, firstPoint + q);
+        });
+}
+
+/// The squared distance up to which points of two blocks on a common side are one: a tenth of the
+/// least one between neighbours there.
+double gapLimit2(const SideGrid& side, const std::vector<Vec3>& points) {
+    const double collapsed = coincidence2(points);
+    double least = std::numeric_limits<double>::infinity();
+    forNeighbours(side, [&](Label p, Label q) {
+        const double distance2 = squaredNorm(points[index(p)] - points[index(q)]);
+        if (distance2 > collapsed) least = std::min(least, distance2);
+    });
+    return least / 10;
+}
+
+void uniteShared(const BlockMeshDescription& description,
+                 const SharedSide& shared,
+                 const BlockNumbering& numbering,
+                 PointSets& sets) {
+    const auto [a, b] = shared.blocks;
+    const std::vector<Vec3>& pointsA = numbering.points[index(a)];
+    const std::vector<Vec3>& pointsB = numbering.points[index(b)];
+    const double limit2 = gapLimit2(shared.grids[0], pointsA);
+    for (Label v = 0; v <= shared.grids[0].counts[1]; ++v)
+        for (Label u = 0; u <= shared.grids[0].counts[0]; ++u) {
+            const Label p = shared.grids[0].point(u, v);
+            const Label q = shared.grids[1].point(u, v);
+            const Vec3& x = pointsA[index(p)];
+            const Vec3& y = pointsB[index(q)];
+            require(squaredNorm(x - y) <= limit2,
+                    "{}: the points on the side that this block shares with the block at {} differ "
+                    "by {:.3g} near ({:.6g} {:.6g} {:.6g}); give both the same grading there",
+                    description.blocks[index(b)].where,
+                    description.blocks[index(a)].where,
+                    norm(x - y),
+                    x.x,
+                    x.y,
+                    x.z);
+            sets.unite(numbering.firstPoint[index(a)] + p, numbering.firstPoint[index(b)] + q);
+        }
+}
+
+/// Where the points and cells of each block begin. Throws InputError when they are more than
+/// labels can count.
+Label layOut(const std::vector<Block>& blocks, BlockNumbering& numbering) {
+    double points = 0;
+    double faces = 0;
+    for (const Block& block : blocks) {
+        const std::array<Label, 3>& n = block.cells;
+        const auto side = [&](std::size_t d) { return static_cast<double>(n[d]); };
+        points += (side(0) + 1) * (side(1) + 1) * (side(2) + 1);
+        faces += side(0) * side(1) * side(2) * 3 + side(0) * side(1) + side(1) * side(2) +
+                 side(2) * side(0);
+        require(std::max(points, 4 * faces) <
+                    static_cast<double>(std::numeric_limits<Label>::max()),
+                "{}: up to this block there are {:.3g} points and {:.3g} faces, too many for "
+                "labels of {} bits",
+                block.where,
+                points,
+                faces,
+                8 * sizeof(Label));
+    }
+    Label point = 0;
+    Label cell = 0;
+    for (const Block& block : blocks) {
+        numbering.firstPoint.push_back(point);
+        numbering.firstCell.push_back(cell);
+        point += BlockGrid{block.cells}.pointCount();
+        cell += BlockGrid{block.cells}.cellCount();
+    }
+    numbering.firstCell.push_back(cell);
+    return point;
+}
+
+} // namespace
+
+BlockNumbering numberPoints(const BlockMeshDescription& description,
+                            const BlockTopology& topology) {
+    BlockNumbering numbering;
+    const Label pointCount = layOut(description.blocks, numbering);
+    PointSets sets(index(pointCount));
+    for (std::size_t b = 0; b < description.blocks.size(); ++b) {
+        const Block& block = description.blocks[b];
+        numbering.points.push_back(blockPoints(description, block));
+        numbering.collapsed.push_back(hasCollapsedEdge(description, block));
+        if (numbering.collapsed.back())
+            uniteCollapsed(block, numbering.points.back(), numbering.firstPoint[b], sets);
+    }
+    for (const SharedSide& shared : topology.shared)
+        uniteShared(description, shared, numbering, sets);
+    numbering.meshPointCount = sets.number(numbering.meshPoint);
+    return numbering;
+}
+
+std::vector<Vec3> meshPoints(const BlockNumbering& numbering, double scale) {
+    std::vector<Vec3> points(index(numbering.meshPointCount));
+    for (std::size_t b = 0; b < numbering.points.size(); ++b) {
+        const std::vector<Vec3>& own = numbering.points[b];
+        const Label first = numbering.firstPoint[b];
+        const bool collapsed = numbering.collapsed[b];
+        const auto place = [&](Label p) {
+            points[index(numbering.meshPoint[index(first + p)])] = scale * own[index(p)];
+        };
+        // Points that coincide are written more than once: not from several threads.
+        if (collapsed)
+            for (Label p = 0; p < toLabel(own.size()); ++p)
+                place(p);
+        else
+            parallelFor(toLabel(own.size()), place);
+    }
+    return points;
+}
+
+} // namespace polymesh

@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: The polymesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "libpolymesh/initial/mergePatches.h"
+
+#include "libpolymesh/base/error.h"
+#include "libpolymesh/surface/boxTree.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace polymesh {
+namespace {
+
+const Patch& findPatch(const PolyMesh& mesh, const std::string& name, const std::string& where) {
+    const auto found = std::ranges::find(mesh.patches, name, &Patch::name);
+    require(found != mesh.patches.end(), "{}: there is no patch {}", where, name);
+    return *found;
+}
+
+std::vector<Label> pointsOf(const PolyMesh& mesh, const Patch& patch) {
+    std::vector<Label> points;
+    for (Label f = patch.start; f < patch.start + patch.size; ++f)
+        points.insert(points.end(), mesh.faces[f].begin(), mesh.faces[f].end());
+    std::ranges::sort(points);
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    return points;
+}
+
+/// A tenth of the shortest edge of a patch.
+double tolerance(const PolyMesh& mesh, const Patch& patch) {
+    double least2 = std::numeric_limits<double>::infinity();
+    for (Label f = patch.start; f < patch.start + patch.size; ++f) {
+        const std::span<const Label> face = mesh.faces[f];
+        for (std::size_t i = 0; i < face.size(); ++i)
+            least2 = std::min(least2,
+                              squaredNorm(mesh.points[index(face[i])] -
+                                          mesh.points[index(face[(i + 1) % face.size()])]));
+    }
+    return 0.1 * std::sqrt(least2);
+}
+
+/// For each point of the mesh the one that takes its place: those of the slave become points of
+/// the master where they lie on one.
+std::vector<Label> mergedPoints(const PolyMesh& mesh, const Patch& master, const Patch& slave) {
+    std::vector<Label> merged(mesh.points.size());
+    std::iota(merged.begin(), merged.end(), Label{0});
+    const std::vector<Label> targets = pointsOf(mesh, master);
+    std::vector<Box> boxes;
+    for (const Label p : targets)
+        boxes.push_back({mesh.points[index(p)], mesh.points[index(p)]});
+    const BoxTree tree(boxes);
+    const double reach = std::min(tolerance(mesh, master), tolerance(mesh, slave));
+    for (const Label p : pointsOf(mesh, slave)) {
+        double best = reach * reach;
+        tree.searchNearest(mesh.points[index(p)], [&](Label item) {
+            const Label target = targets[index(item)];
+            const double distance2 =
+                squaredNorm(mesh.points[index(target)] - mesh.points[index(p)]);
+            if (distance2 < best) {
+                best = distance2;
+                merged[index(p)] = target;
+            }
+            return distance2;
+        });
+    }
+    return merged;
+}
+
+std::vector<Label>
+sortedPoints(const PolyMesh& mesh, Label face, const std::vector<Label>& merged) {
+    std::vector<Label> points;
+    for (const Label p : mesh.faces[face])
+        points.push_back(merged[index(p)]);
+    std::ranges::sort(points);
+    return points;
+}
+
+/// The faces of master and slave that are one, in pairs.
+std::vector<std::pair<Label, Label>> matchingFaces(const PolyMesh& mesh,
+                                                   const Patch& master,
+                                                   const PatchPair& pair,
+                                                   const std::vector<Label>& merged) {
+    const Patch& slave = findPatch(mesh, pair.slave, pair.where);
+    std::map<std::vector<Label>, Label> masterFaces;
+    for (Label f = master.start; f < master.start + master.size; ++f)
+        masterFaces[sortedPoints(mesh, f, merged)] = f;
+    std::vector<std::pair<Label, Label>> result;
+    for (Label f = slave.start; f < slave.start + slave.size; ++f) {
+        const auto found = masterFaces.find(sortedPoints(mesh, f, merged));
+        require(found != masterFaces.end(),
+                "{}: mergePatchPairs ({} {}): merging patches whose faces do not match one to one "
+                "is not supported; give the blocks the same cells where they touch",
+                pair.where,
+                pair.master,
+                pair.slave);
+        result.emplace_back(found->second, f);
+        masterFaces.erase(found);
+    }
+    return result;
+}
+
+/// A face of the new mesh: an old one, between these cells.
+struct NewFace {
+    Label owner = 0;
+    Label neighbour = 0;
+    Label old = 0;
+
+    auto operator<=>(const NewFace&) const = default;
+};
+
+std::vector<NewFace> internalFaces(const PolyMesh& mesh,
+                                   const std::vector<std::pair<Label, Label>>& matching) {
+    std::vector<NewFace> faces;
+    for (Label f = 0; f < mesh.internalFaceCount(); ++f)
+        faces.push_back({mesh.owner[index(f)], mesh.neighbour[index(f)], f});
+    for (const auto& [a, b] : matching) {
+        // The face of the lower cell: its normal points to the other one.
+        const bool aFirst = mesh.owner[index(a)] < mesh.owner[index(b)];
+        faces.push_back(
+            {mesh.owner[index(aFirst ? a : b)], mesh.owner[index(aFirst ? b : a)], aFirst ? a : b});
+    }
+    std::ranges::sort(faces);
+    return faces;
+}
+
+void removeUnusedPoints(PolyMesh& mesh, std::vector<Label>& merged) {
+    std::vector<Label> numbers(mesh.points.size());
+    std::size_t kept = 0;
+    for (std::size_t p = 0; p < mesh.points.size(); ++p) {
+        if (index(merged[p]) != p) continue;
+        mesh.points[kept] = mesh.points[p];
+        numbers[p] = toLabel(kept++);
+    }
+    mesh.points.resize(kept);
+    for (Label& p : merged)
+        p = numbers[index(p)];
+}
+
+void addFace(const PolyMesh& from, Label face, const std::vector<Label>& merged, PolyMesh& to) {
+    for (const Label p : from.faces[face])
+        to.faces.values.push_back(merged[index(p)]);
+    to.faces.offsets.push_back(toLabel(to.faces.values.size()));
+    to.owner.push_back(from.owner[index(face)]);
+}
+
+} // namespace
+
+void mergePatches(PolyMesh& mesh, const PatchPair& pair) {
+    const Patch& master = findPatch(mesh, pair.master, pair.where);
+    const Patch& slave = findPatch(mesh, pair.slave, pair.where);
+    require(&master != &slave, "{}: patch {} is paired with itself", pair.where, pair.master);
+    std::vector<Label> merged = mergedPoints(mesh, master, slave);
+    const auto matching = matchingFaces(mesh, master, pair, merged);
+    std::vector<bool> isGone(mesh.owner.size(), false);
+    for (const auto& [a, b] : matching)
+        isGone[index(a)] = isGone[index(b)] = true;
+    removeUnusedPoints(mesh, merged);
+    PolyMesh result;
+    for (const NewFace& face : internalFaces(mesh, matching)) {
+        addFace(mesh, face.old, merged, result);
+        result.neighbour.push_back(face.neighbour);
+    }
+    for (Patch patch : mesh.patches) {
+        const Label first = patch.start;
+        const Label last = patch.start + patch.size;
+        patch.start = toLabel(result.owner.size());
+        for (Label f = first; f < last; ++f)
+            if (!isGone[index(f)]) addFace(mesh, f, merged, result);
+        patch.size = toLabel(result.owner.size()) - patch.start;
+        const bool isPaired = patch.name == pair.master || patch.name == pair.slave;
+        if (patch.size > 0 || !isPaired) result.patches.push_back(std::move(patch));
+    }
+    result.points = std::move(mesh.points);
+    result.cellZones = std::move(mesh.cellZones);
+    result.cellCount = mesh.cellCount;
+    mesh = std::move(result);
+}
+
+} // namespace polymesh

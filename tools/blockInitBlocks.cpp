@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: The polymesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/blockInitBlocks.h"
+
+#include "formats/foam/polyMeshIo.h"
+#include "libpolymesh/initial/blocks.h"
+#include "tools/blockMeshDict.h"
+
+namespace polymesh::tools {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Beside constant/triSurface, OpenFOAM keeps surfaces in constant/geometry.
+fs::path findSurface(const ToolRun& tool, const std::string& name) {
+    std::error_code ignored;
+    const fs::path inGeometry = tool.caseDir / "constant" / "geometry" / name;
+    const fs::path found = tool.surfaceFile(name);
+    const bool isThere = fs::exists(found, ignored) || fs::exists(found.string() + ".gz", ignored);
+    const bool isInGeometry =
+        fs::exists(inGeometry, ignored) || fs::exists(inGeometry.string() + ".gz", ignored);
+    return !isThere && isInGeometry ? inGeometry : found;
+}
+
+void report(ToolRun& tool, std::size_t blocks, const PolyMesh& mesh) {
+    const std::uintmax_t bytes = bytesIn(tool.meshDir());
+    tool.say("blocks     {}", blocks);
+    tool.say("cells      {}", mesh.cellCount);
+    tool.say("faces      {} ({} internal)", mesh.faceCount(), mesh.internalFaceCount());
+    tool.say("points     {}", mesh.pointCount());
+    for (const Patch& patch : mesh.patches)
+        tool.say("patch      {} {}, {} faces", patch.type, patch.name, patch.size);
+    tool.say("written    {}, {:.1f} MB", tool.meshDir().string(), static_cast<double>(bytes) / 1e6);
+    tool.report["blocks"] = blocks;
+    tool.report["cells"] = mesh.cellCount;
+    tool.report["faces"] = mesh.faceCount();
+    tool.report["points"] = mesh.pointCount();
+    tool.report["bytes"] = bytes;
+}
+
+} // namespace
+
+fs::path blockMeshDictOf(const ToolRun& tool) {
+    std::error_code ignored;
+    if (!tool.dictionary.empty())
+        return isBlockMeshDict(foam::readDictionary(tool.dictionary)) ? tool.dictionary
+                                                                      : fs::path();
+    for (const char* option : {"surface", "cellSize", "box", "cells"})
+        if (tool.settings.has(option)) return {};
+    for (const fs::path& path : {tool.caseDirectory().system("blockMeshDict"),
+                                 tool.caseDirectory().polyMesh() / "blockMeshDict"})
+        if (fs::is_regular_file(path, ignored)) return path;
+    return {};
+}
+
+ExitCode runBlocks(ToolRun& tool, const fs::path& dictionary) {
+    tool.clock.start("read dictionary");
+    const BlockMeshDescription description =
+        readBlockMeshDict(foam::readDictionary(dictionary),
+                          [&](const std::string& name) { return findSurface(tool, name); });
+    tool.say("dictionary {}", dictionary.string());
+    tool.clock.start("make mesh");
+    const PolyMesh mesh = blockMesh(description);
+    tool.clock.start("write mesh");
+    foam::writePolyMesh(mesh, tool.meshDir(), tool.writeFormat());
+    tool.clock.stop();
+    report(tool, description.blocks.size(), mesh);
+    return ExitCode::success;
+}
+
+} // namespace polymesh::tools

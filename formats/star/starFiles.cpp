@@ -7,6 +7,7 @@
 #include "formats/star/patches.h"
 #include "formats/textScanner.h"
 #include "libpolymesh/base/error.h"
+#include "libpolymesh/mesh/validate.h"
 
 #include <algorithm>
 #include <array>
@@ -76,6 +77,18 @@ void addPointNote(std::size_t pointsRead, const PolyMesh& mesh, std::vector<std:
                                     pointsRead - mesh.points.size()));
 }
 
+/// Cells may be inside out, as the caller likes; all else that is left makes no mesh.
+void requireMesh(const PolyMesh& mesh, const std::string& file) {
+    for (const Defect& defect : validate(mesh)) {
+        const bool isInsideOut = defect.law == 1 && defect.message.starts_with("cell");
+        require(isInsideOut,
+                "{}: the cells do not fit together: {} (numbers from 0 on); have pro-STAR check "
+                "the cells",
+                file,
+                defect.message);
+    }
+}
+
 } // namespace
 
 std::optional<Version> versionOf(const fs::path& prefix) {
@@ -110,6 +123,7 @@ StarMesh read(FileTexts texts, Version version, double scale) {
     const std::size_t pointsRead = vertices.points.size();
     result.mesh = assemble(std::move(vertices.points), cells, pairs, std::move(patches));
     result.mesh.cellZones = zonesOf(cells, names);
+    requireMesh(result.mesh, texts.cells.name);
     addPointNote(pointsRead, result.mesh, result.notes);
     return result;
 }

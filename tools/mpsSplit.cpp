@@ -7,6 +7,7 @@
 #include "formats/surfaceIo.h"
 #include "libpolymesh/mps/makeDivisible.h"
 #include "libpolymesh/mps/projectBoundary.h"
+#include "libpolymesh/surface/orient.h"
 #include "tools/mpsSplitReport.h"
 #include "tools/mpsSplitSets.h"
 #include "tools/toolMain.h"
@@ -23,10 +24,12 @@ void project(ToolRun& tool, Divisible& divisible) {
     if (!tool.settings.has("surface")) return;
     const std::string file = tool.surfaceFile(tool.settings.text("surface")).string();
     tool.clock.start("project");
+    TriSurface surface = readSurface(file);
+    orientSurface(surface); // as trimSurface does
     reportProjection(tool,
                      projectBoundary(divisible.mesh,
                                      divisible.plan,
-                                     readSurface(file),
+                                     surface,
                                      tool.settings.angle("featureAngle", 30)));
 }
 

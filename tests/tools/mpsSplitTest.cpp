@@ -114,4 +114,14 @@ TEST(MpsSplit, putsBoundaryPointsOntoTheSurface) {
     EXPECT_EQ(cube.split("-surface missing.obj").status, 2);
 }
 
+TEST(MpsSplit, takesASurfaceWhoseTrianglesDisagreeAsTrimSurfaceDoes) {
+    const MeshCase cube(test::unitCube());
+    TriSurface body = test::cuboid({-.1, -.1, -.1}, {1.1, 1.1, 1.1}, "body");
+    std::swap(body.triangles[3][1], body.triangles[3][2]);
+    writeSurface(body, cube.dir() / "part.obj");
+    const ProgramResult result = cube.split("-surface part.obj");
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(cube.report()["projected"], 18);
+}
+
 } // namespace polymesh::tools

@@ -5,7 +5,7 @@
 #include "libpolymesh/base/error.h"
 #include "tools/blockDictReader.h"
 
-#include <algorithm>
+#include <cmath>
 
 namespace polymesh::tools {
 namespace {
@@ -16,29 +16,15 @@ using Kind = foam::Value::Kind;
 double expansion(const foam::Value& value, const std::string& key) {
     const double ratio = value.scalar(key);
     if (ratio == 0) value.fail(key, "an expansion ratio other than 0");
+    constexpr double most = 1e100; // its powers must not overflow
+    if (std::abs(ratio) > most || std::abs(ratio) < 1 / most)
+        value.fail(key, "an expansion ratio between 1e-100 and 1e100");
     return ratio > 0 ? ratio : -1 / ratio;
 }
 
 double share(const foam::Value& value, const std::string& key) {
     if (!(value.scalar(key) > 0)) value.fail(key, "a positive share");
     return value.number;
-}
-
-/// A number, or sections (length cells expansion).
-Grading gradingOf(const foam::Value& value, const std::string& key) {
-    if (value.kind == Kind::number) return {{1, 1, expansion(value, key)}};
-    Grading grading;
-    for (const foam::Value& section : value.list(key)) {
-        if (section.kind == Kind::number) {
-            grading.push_back({1, 1, expansion(section, key)});
-            continue;
-        }
-        const std::vector<foam::Value>& parts = section.list(key);
-        if (parts.size() != 3) section.fail(key, "(length cells expansion)");
-        grading.push_back({share(parts[0], key), share(parts[1], key), expansion(parts[2], key)});
-    }
-    if (grading.empty()) value.fail(key, "a number or a list of sections");
-    return grading;
 }
 
 std::array<Grading, 12> gradings(const foam::Value& value, const std::string& key) {
@@ -50,12 +36,6 @@ std::array<Grading, 12> gradings(const foam::Value& value, const std::string& ke
     for (std::size_t e = 0; e < 12 && count > 0; ++e)
         result[e] = gradingOf(items[count == 12 ? e : count == 3 ? e / 4 : 0], key);
     return result;
-}
-
-Label cellCount(const foam::Value& value, const std::string& key) {
-    const Label count = value.label(key);
-    if (count < 1) value.fail(key, "a number of cells, at least 1");
-    return count;
 }
 
 /// (nx ny nz), or in old files nx ny nz.
@@ -75,6 +55,28 @@ std::array<Label, 3> cellCounts(Items& items) {
 }
 
 } // namespace
+
+Grading gradingOf(const foam::Value& value, const std::string& key) {
+    if (value.kind == Kind::number) return {{1, 1, expansion(value, key)}};
+    Grading grading;
+    for (const foam::Value& section : value.list(key)) {
+        if (section.kind == Kind::number) {
+            grading.push_back({1, 1, expansion(section, key)});
+            continue;
+        }
+        const std::vector<foam::Value>& parts = section.list(key);
+        if (parts.size() != 3) section.fail(key, "(length cells expansion)");
+        grading.push_back({share(parts[0], key), share(parts[1], key), expansion(parts[2], key)});
+    }
+    if (grading.empty()) value.fail(key, "a number or a list of sections");
+    return grading;
+}
+
+Label cellCount(const foam::Value& value, const std::string& key) {
+    const Label count = value.label(key);
+    if (count < 1) value.fail(key, "a number of cells, at least 1");
+    return count;
+}
 
 Label BlockDictReader::vertex(const foam::Value& value, const std::string& key) const {
     const auto count = toLabel(mesh.vertices.size());

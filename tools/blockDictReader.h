@@ -71,6 +71,12 @@ private:
 /// The list that an entry of the whole dictionary is.
 const foam::Value& listOf(const foam::Dictionary& dictionary, const std::string& key);
 
+/// A number, or sections (length cells expansion); a negative ratio is turned over.
+Grading gradingOf(const foam::Value& value, const std::string& key);
+
+/// A whole number, at least 1.
+Label cellCount(const foam::Value& value, const std::string& key);
+
 /// Values as they are written in a dictionary.
 std::string written(const std::vector<foam::Value>& values);
 

@@ -10,7 +10,6 @@
 #include "libpolymesh/initial/cartesian.h"
 #include "libpolymesh/initial/flatSides.h"
 #include "tools/blockInitBlocks.h"
-#include "tools/blockMeshDict.h"
 
 #include <cmath>
 #include <limits>
@@ -140,7 +139,7 @@ void report(ToolRun& tool, const CartesianBox& box, const CartesianMesh& mesh) {
 }
 
 ExitCode run(ToolRun& tool) {
-    const std::filesystem::path blocks = blockMeshDictOf(tool);
+    const std::filesystem::path blocks = blockDictOf(tool);
     if (!blocks.empty()) return runBlocks(tool, blocks);
     const CartesianBox box =
         isRoundSurface(tool.settings) ? boxRoundSurface(tool) : boxGiven(tool.settings);
@@ -155,14 +154,16 @@ ExitCode run(ToolRun& tool) {
 } // namespace
 
 Tool thisTool() {
-    return {"blockInit",
-            "makes the initial mesh of hexahedra: a box divided into cubes or bricks, or the "
-            "blocks of system/blockMeshDict, as OpenFOAM's blockMesh does",
-            options,
-            run,
-            {},
-            {},
-            isBlockMeshDict};
+    return {
+        "blockInit",
+        "makes the initial mesh of hexahedra: a box divided into cubes or bricks; a graded box, "
+        "cylinder or sphere (cartesian, cylinder, sphere in system/blockInitDict); or the "
+        "blocks of system/blockMeshDict, as OpenFOAM's blockMesh does",
+        options,
+        run,
+        {},
+        {},
+        isBlockDict};
 }
 
 } // namespace polymesh::tools

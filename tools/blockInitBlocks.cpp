@@ -5,6 +5,7 @@
 #include "formats/foam/polyMeshIo.h"
 #include "libpolymesh/initial/blocks.h"
 #include "tools/blockMeshDict.h"
+#include "tools/blockShorthands.h"
 
 namespace polymesh::tools {
 
@@ -41,13 +42,16 @@ void report(ToolRun& tool, std::size_t blocks, const PolyMesh& mesh) {
 
 } // namespace
 
-fs::path blockMeshDictOf(const ToolRun& tool) {
+bool isBlockDict(const foam::Dictionary& dictionary) {
+    return isShorthand(dictionary) || isBlockMeshDict(dictionary);
+}
+
+fs::path blockDictOf(const ToolRun& tool) {
     std::error_code ignored;
-    if (!tool.dictionary.empty())
-        return isBlockMeshDict(foam::readDictionary(tool.dictionary)) ? tool.dictionary
-                                                                      : fs::path();
     for (const char* option : {"surface", "cellSize", "box", "cells"})
         if (tool.settings.has(option)) return {};
+    if (!tool.dictionary.empty())
+        return isBlockDict(foam::readDictionary(tool.dictionary)) ? tool.dictionary : fs::path();
     for (const fs::path& path : {tool.caseDirectory().system("blockMeshDict"),
                                  tool.caseDirectory().polyMesh() / "blockMeshDict"})
         if (fs::is_regular_file(path, ignored)) return path;
@@ -56,9 +60,10 @@ fs::path blockMeshDictOf(const ToolRun& tool) {
 
 ExitCode runBlocks(ToolRun& tool, const fs::path& dictionary) {
     tool.clock.start("read dictionary");
+    const foam::Dictionary entries = foam::readDictionary(dictionary);
+    const auto find = [&](const std::string& name) { return findSurface(tool, name); };
     const BlockMeshDescription description =
-        readBlockMeshDict(foam::readDictionary(dictionary),
-                          [&](const std::string& name) { return findSurface(tool, name); });
+        isShorthand(entries) ? readShorthand(entries) : readBlockMeshDict(entries, find);
     tool.say("dictionary {}", dictionary.string());
     tool.clock.start("make mesh");
     const PolyMesh mesh = blockMesh(description);

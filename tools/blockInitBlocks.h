@@ -8,11 +8,15 @@
 
 namespace polymesh::tools {
 
-/// The blockMeshDict that blockInit should read: the one that -dict names, or that of the case when
-/// neither options nor system/blockInitDict say what to mesh. Empty: none.
-std::filesystem::path blockMeshDictOf(const ToolRun& tool);
+/// Whether a dictionary is about blocks: a shorthand or a blockMeshDict.
+bool isBlockDict(const foam::Dictionary& dictionary);
 
-/// Makes the mesh of a blockMeshDict and writes it.
+/// The dictionary of blocks that blockInit should read: the one that -dict names,
+/// system/blockInitDict, or, when that is not there, the blockMeshDict of the case. Empty: none, or
+/// options say what to mesh.
+std::filesystem::path blockDictOf(const ToolRun& tool);
+
+/// Makes the mesh of a dictionary of blocks and writes it.
 ExitCode runBlocks(ToolRun& tool, const std::filesystem::path& dictionary);
 
 } // namespace polymesh::tools

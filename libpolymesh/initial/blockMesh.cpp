@@ -3,12 +3,14 @@
 // blockMesh of blocks.h: checks the blocks, numbers their points and collects their faces.
 
 #include "libpolymesh/base/error.h"
+#include "libpolymesh/base/freshList.h"
 #include "libpolymesh/base/parallel.h"
 #include "libpolymesh/initial/blockNumbering.h"
 #include "libpolymesh/initial/mergePatches.h"
 #include "libpolymesh/mesh/validate.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace polymesh {
@@ -30,7 +32,27 @@ double signedVolume(const std::vector<Vec3>& vertices, const Block& block) {
     return sum;
 }
 
+/// Labels must be able to count the points and the corners of the faces.
+void checkSize(const std::vector<Block>& blocks) {
+    double points = 0;
+    double faces = 0;
+    for (const Block& block : blocks) {
+        const auto n = [&](std::size_t d) { return static_cast<double>(block.cells[d]); };
+        points += (n(0) + 1) * (n(1) + 1) * (n(2) + 1);
+        faces += 3 * n(0) * n(1) * n(2) + n(0) * n(1) + n(1) * n(2) + n(2) * n(0);
+        require(std::max(points, 4 * faces) <
+                    static_cast<double>(std::numeric_limits<Label>::max()),
+                "{}: up to this block there are {:.3g} points and {:.3g} faces, too many for "
+                "labels of {} bits",
+                block.where,
+                points,
+                faces,
+                8 * sizeof(Label));
+    }
+}
+
 void checkBlocks(const BlockMeshDescription& description) {
+    checkSize(description.blocks);
     for (const Block& block : description.blocks)
         require(signedVolume(description.vertices, block) > 0,
                 "{}: this block is inside out or flat; give first four vertices such that seen "
@@ -77,7 +99,8 @@ public:
                   const BlockTopology& topology,
                   const BlockNumbering& numbering);
 
-    void addInternal(PolyMesh& mesh) const;
+    /// Adds the internal faces and keeps room for the boundary.
+    void addInternal(std::size_t boundaryFaces, PolyMesh& mesh) const;
     void addBoundary(const std::vector<BoundarySide>& sides, PolyMesh& mesh) const;
 
 private:
@@ -159,7 +182,7 @@ Quad FaceCollector::quad(const Row& row, Label i, std::size_t side) const {
     return result;
 }
 
-void FaceCollector::addInternal(PolyMesh& mesh) const {
+void FaceCollector::addInternal(std::size_t boundaryFaces, PolyMesh& mesh) const {
     const Label rowCount = firstRow_.back();
     std::vector<Label> firstFace(index(rowCount) + 1, 0);
     parallelBlocks(rowCount, 16, [&](Label, Label first, Label last) {
@@ -173,8 +196,10 @@ void FaceCollector::addInternal(PolyMesh& mesh) const {
     for (std::size_t r = 0; r < index(rowCount); ++r)
         firstFace[r + 1] += firstFace[r];
     const std::size_t faceCount = index(firstFace.back());
+    mesh.neighbour = freshList<Label>(faceCount);
+    mesh.owner = freshList<Label>(faceCount + boundaryFaces);
     mesh.owner.resize(faceCount);
-    mesh.neighbour.resize(faceCount);
+    mesh.faces.values = freshList<Label>(4 * (faceCount + boundaryFaces));
     mesh.faces.values.resize(4 * faceCount);
     parallelBlocks(rowCount, 16, [&](Label, Label first, Label last) {
         for (Label r = first; r < last; ++r) {
@@ -235,6 +260,18 @@ void addPatches(const BlockMeshDescription& description,
     }
 }
 
+/// The number of faces on the boundary, those without area included.
+std::size_t countBoundary(const BlockMeshDescription& description, const BlockTopology& topology) {
+    std::size_t count = 0;
+    for (const std::vector<BoundarySide>& patch : topology.patches)
+        for (const BoundarySide& side : patch) {
+            const Block& block = description.blocks[index(side.block)];
+            const SideGrid grid = sideGrid({block.cells}, side.side);
+            count += index(grid.counts[0]) * index(grid.counts[1]);
+        }
+    return count;
+}
+
 void addZones(const std::vector<Block>& blocks, const BlockNumbering& numbering, PolyMesh& mesh) {
     for (std::size_t b = 0; b < blocks.size(); ++b) {
         if (blocks[b].zone.empty()) continue;
@@ -249,7 +286,7 @@ void addZones(const std::vector<Block>& blocks, const BlockNumbering& numbering,
 /// Four labels a face so far; in collapsed blocks some of them repeat.
 void finishFaces(bool anyCollapsed, Rows<Label>& faces) {
     const std::size_t count = faces.values.size() / 4;
-    faces.offsets.resize(count + 1);
+    faces.offsets = freshList<Label>(count + 1);
     parallelFor(toLabel(count) + 1, [&](Label f) { faces.offsets[index(f)] = 4 * f; });
     if (!anyCollapsed) return;
     Rows<Label> clean;
@@ -274,14 +311,14 @@ PolyMesh blockMesh(const BlockMeshDescription& description) {
     const BlockTopology topology = blockTopology(description);
     PolyMesh mesh;
     {
-        const BlockNumbering numbering = numberPoints(description, topology);
+        BlockNumbering numbering = numberPoints(description, topology);
         const FaceCollector collector(description, topology, numbering);
-        collector.addInternal(mesh);
+        collector.addInternal(countBoundary(description, topology), mesh);
         addPatches(description, topology, collector, mesh);
         const bool anyCollapsed =
             std::ranges::find(numbering.collapsed, true) != numbering.collapsed.end();
         finishFaces(anyCollapsed, mesh.faces);
-        mesh.points = meshPoints(numbering, description.scale);
+        mesh.points = meshPoints(std::move(numbering.points), numbering, description.scale);
         mesh.cellCount = numbering.firstCell.back();
         addZones(description.blocks, numbering, mesh);
         if (anyCollapsed) requireValid(mesh, "the mesh of the blocks");

@@ -3,6 +3,7 @@
 #include "libpolymesh/initial/blockNumbering.h"
 
 #include "libpolymesh/base/error.h"
+#include "libpolymesh/base/freshList.h"
 #include "libpolymesh/base/parallel.h"
 #include "libpolymesh/geometry/box.h"
 
@@ -20,7 +21,7 @@ constexpr double coincidence = 1e-14;
 /// Sets of block points; the lowest label stands for each.
 class PointSets {
 public:
-    explicit PointSets(std::size_t size) : parent_(size) {
+    explicit PointSets(std::size_t size) : parent_(freshList<Label>(size)) {
         parallelFor(toLabel(size), [&](Label p) { parent_[index(p)] = p; });
     }
 
@@ -131,26 +132,8 @@ void uniteShared(const BlockMeshDescription& description,
         }
 }
 
-/// Where the points and cells of each block begin. Throws InputError when they are more than
-/// labels can count.
+/// Where the points and cells of each block begin; returns the number of points.
 Label layOut(const std::vector<Block>& blocks, BlockNumbering& numbering) {
-    double points = 0;
-    double faces = 0;
-    for (const Block& block : blocks) {
-        const std::array<Label, 3>& n = block.cells;
-        const auto side = [&](std::size_t d) { return static_cast<double>(n[d]); };
-        points += (side(0) + 1) * (side(1) + 1) * (side(2) + 1);
-        faces += side(0) * side(1) * side(2) * 3 + side(0) * side(1) + side(1) * side(2) +
-                 side(2) * side(0);
-        require(std::max(points, 4 * faces) <
-                    static_cast<double>(std::numeric_limits<Label>::max()),
-                "{}: up to this block there are {:.3g} points and {:.3g} faces, too many for "
-                "labels of {} bits",
-                block.where,
-                points,
-                faces,
-                8 * sizeof(Label));
-    }
     Label point = 0;
     Label cell = 0;
     for (const Block& block : blocks) {
@@ -183,21 +166,30 @@ BlockNumbering numberPoints(const BlockMeshDescription& description,
     return numbering;
 }
 
-std::vector<Vec3> meshPoints(const BlockNumbering& numbering, double scale) {
-    std::vector<Vec3> points(index(numbering.meshPointCount));
-    for (std::size_t b = 0; b < numbering.points.size(); ++b) {
-        const std::vector<Vec3>& own = numbering.points[b];
+std::vector<Vec3> meshPoints(std::vector<std::vector<Vec3>> blockPoints,
+                             const BlockNumbering& numbering,
+                             double scale) {
+    if (blockPoints.size() == 1 && !numbering.collapsed[0]) {
+        std::vector<Vec3> points = std::move(blockPoints[0]);
+        if (scale != 1)
+            parallelFor(toLabel(points.size()),
+                        [&](Label p) { points[index(p)] = scale * points[index(p)]; });
+        return points;
+    }
+    std::vector<Vec3> points = freshList<Vec3>(index(numbering.meshPointCount));
+    for (std::size_t b = 0; b < blockPoints.size(); ++b) {
+        const std::vector<Vec3>& own = blockPoints[b];
         const Label first = numbering.firstPoint[b];
-        const bool collapsed = numbering.collapsed[b];
         const auto place = [&](Label p) {
             points[index(numbering.meshPoint[index(first + p)])] = scale * own[index(p)];
         };
         // Points that coincide are written more than once: not from several threads.
-        if (collapsed)
+        if (numbering.collapsed[b])
             for (Label p = 0; p < toLabel(own.size()); ++p)
                 place(p);
         else
             parallelFor(toLabel(own.size()), place);
+        blockPoints[b] = {}; // its memory may serve elsewhere
     }
     return points;
 }

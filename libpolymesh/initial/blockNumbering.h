@@ -24,7 +24,10 @@ struct BlockNumbering {
 /// more than a third of the shortest distance between neighbours on it.
 BlockNumbering numberPoints(const BlockMeshDescription& description, const BlockTopology& topology);
 
-/// The scaled coordinates; of points that blocks share those of the last block.
-std::vector<Vec3> meshPoints(const BlockNumbering& numbering, double scale);
+/// The scaled coordinates, from those of the blocks; of points that blocks share those of the last
+/// block.
+std::vector<Vec3> meshPoints(std::vector<std::vector<Vec3>> blockPoints,
+                             const BlockNumbering& numbering,
+                             double scale);
 
 } // namespace polymesh

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The points of one block: see blockPoints in blockGrid.h.
 
+#include "libpolymesh/base/freshList.h"
 #include "libpolymesh/base/parallel.h"
 #include "libpolymesh/initial/blockGrid.h"
 
@@ -283,7 +284,7 @@ void SideCorrection::apply(std::vector<Vec3>& points) {
 
 std::vector<Vec3> blockPoints(const BlockMeshDescription& description, const Block& block) {
     const Interpolation interpolation(description, block);
-    std::vector<Vec3> points(index(interpolation.grid().pointCount()));
+    std::vector<Vec3> points = freshList<Vec3>(index(interpolation.grid().pointCount()));
     if (interpolation.isTrilinear())
         interpolation.fillTrilinear(points);
     else

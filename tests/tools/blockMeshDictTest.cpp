@@ -93,6 +93,8 @@ TEST(BlockMeshDict, whatIsWrongIsSaidWithFileLineAndExpectation) {
         {with("($n 2 4)", "($n 0 4)"), "Dict:4: blocks: found 0, expected a number of cells"},
         {with("($n 2 4)", "($n 2)"), "Dict:4: blocks: found (3 2), expected three numbers"},
         {with("-2 1)", "0 1)"), "Dict:4: blocks: found 0, expected an expansion ratio other"},
+        {with("-2 1)", "1e300 1)"), "Dict:4: blocks: found 1e300, expected an expansion ratio"},
+        {with("($n 2 4)", "(1000000 1000000 1000000)"), "Dict:4: up to this block there are 1e+18"},
         {with("-2 1)", "-2)"), "expected 3 ratios (simpleGrading) or 12 (edgeGrading)"},
         {with("simpleGrading", "simpelGrading"), "Dict:4: blocks: found simpelGrading, expected"},
         {with("arc 0 1 (0.5 -0.2 0)", "arc 0 1 (2 0 0)"), "Dict:5: the three points of this arc"},

@@ -26,11 +26,10 @@ void project(ToolRun& tool, Divisible& divisible) {
     tool.clock.start("project");
     TriSurface surface = readSurface(file);
     orientSurface(surface); // as trimSurface does
-    reportProjection(tool,
-                     projectBoundary(divisible.mesh,
-                                     divisible.plan,
-                                     surface,
-                                     tool.settings.angle("featureAngle", 30)));
+    reportProjection(
+        tool,
+        projectBoundary(
+            divisible.mesh, divisible.plan, surface, tool.settings.angle("featureAngle", 30)));
 }
 
 ExitCode run(ToolRun& tool) {

@@ -91,11 +91,19 @@ Label BlockDictReader::vertex(const foam::Value& value, const std::string& key) 
     return label;
 }
 
+/// Coordinates whose fourth powers are numbers, too.
+Vec3 pointOf(const foam::Value& value, const std::string& key) {
+    constexpr double most = 1e50;
+    const Vec3 point = value.vector(key);
+    if (norm(point) > most) value.fail(key, "coordinates up to 1e50");
+    return point;
+}
+
 Vec3 BlockDictReader::readVertex(Items& items) {
     const foam::Value& value = items.next("a vertex (x y z)");
-    if (value.kind != Kind::word) return value.vector(items.key());
+    if (value.kind != Kind::word) return pointOf(value, items.key());
     if (value.text != "project") value.fail(items.key(), "a vertex (x y z), name or project");
-    const Vec3 point = items.next("a vertex (x y z)").vector(items.key());
+    const Vec3 point = pointOf(items.next("a vertex (x y z)"), items.key());
     return projectedVertex(point, shape(items.next("(surface)")));
 }
 

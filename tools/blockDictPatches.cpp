@@ -16,7 +16,7 @@ using Kind = foam::Value::Kind;
 std::vector<Vec3> knots(Items& items) {
     std::vector<Vec3> points;
     for (const foam::Value& point : items.next("a list of points").list(items.key()))
-        points.push_back(point.vector(items.key()));
+        points.push_back(pointOf(point, items.key()));
     return points;
 }
 
@@ -29,7 +29,7 @@ void skipTangents(Items& items) {
 /// (x y z) on the arc, or: origin (x y z).
 Curve readArc(Items& items, const std::string& where) {
     if (!items.nextIs(Kind::word))
-        return arcThrough(items.next("a point").vector(items.key()), where);
+        return arcThrough(pointOf(items.next("a point"), items.key()), where);
     const foam::Value& word = items.next("origin");
     if (word.text != "origin") word.fail(items.key(), "a point of the arc, or origin");
     if (items.nextIs(Kind::number)) {
@@ -37,7 +37,7 @@ Curve readArc(Items& items, const std::string& where) {
             items.look()->fail(items.key(), "1: another factor of the radius is not supported");
         items.next("a factor");
     }
-    return arcAbout(items.next("the centre").vector(items.key()), where);
+    return arcAbout(pointOf(items.next("the centre"), items.key()), where);
 }
 
 } // namespace

@@ -74,6 +74,9 @@ const foam::Value& listOf(const foam::Dictionary& dictionary, const std::string&
 /// A number, or sections (length cells expansion); a negative ratio is turned over.
 Grading gradingOf(const foam::Value& value, const std::string& key);
 
+/// Three numbers, none of them huge.
+Vec3 pointOf(const foam::Value& value, const std::string& key);
+
 /// A whole number, at least 1.
 Label cellCount(const foam::Value& value, const std::string& key);
 

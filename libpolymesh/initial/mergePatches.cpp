@@ -90,15 +90,16 @@ std::vector<std::pair<Label, Label>> matchingFaces(const PolyMesh& mesh,
     std::vector<std::pair<Label, Label>> result;
     for (Label f = slave.start; f < slave.start + slave.size; ++f) {
         const auto found = masterFaces.find(sortedPoints(mesh, f, merged));
-        require(found != masterFaces.end(),
-                "{}: mergePatchPairs ({} {}): merging patches whose faces do not match one to one "
-                "is not supported; give the blocks the same cells where they touch",
-                pair.where,
-                pair.master,
-                pair.slave);
+        if (found == masterFaces.end()) continue;
         result.emplace_back(found->second, f);
         masterFaces.erase(found);
     }
+    require(toLabel(result.size()) == std::min(master.size, slave.size),
+            "{}: mergePatchPairs ({} {}): merging patches is not supported when faces of both are "
+            "left over; give the blocks the same cells where they touch",
+            pair.where,
+            pair.master,
+            pair.slave);
     return result;
 }
 

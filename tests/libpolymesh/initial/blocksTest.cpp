@@ -187,7 +187,27 @@ TEST(Blocks, mergedPatchesBecomeInternal) {
     EXPECT_EQ(mesh.internalFaceCount(), 3 * 4 + 2 * 4 * 2);
     EXPECT_EQ(mesh.patches.size(), 1U);
     d.blocks[1].cells = {2, 3, 2};
-    expectError(d, "d:5: mergePatchPairs (a b): merging patches whose faces do not match");
+    expectError(d, "d:5: mergePatchPairs (a b): merging patches is not supported when faces of");
+}
+
+/// Either patch may be the larger one.
+TEST(Blocks, whatMergingLeavesOverStaysInItsPatch) {
+    BlockMeshDescription d = cube({2, 2, 2});
+    for (std::size_t v = 0; v < 8; ++v) // half as high
+        d.vertices.push_back(Vec3{1 + d.vertices[v].x, d.vertices[v].y, 0.5 * d.vertices[v].z});
+    d.blocks.push_back({{8, 9, 10, 11, 12, 13, 14, 15}, {2, 2, 1}, {}, "", "d:2"});
+    d.patches.push_back({{"large", "patch", 0, 0, {}}, {{{1, 2, 6, 5}, "d:3"}}});
+    d.patches.push_back({{"small", "patch", 0, 0, {}}, {{{8, 11, 15, 12}, "d:4"}}});
+    for (const bool largeFirst : {true, false}) {
+        d.mergePairs = {largeFirst ? PatchPair{"large", "small", "d:5"}
+                                   : PatchPair{"small", "large", "d:5"}};
+        const PolyMesh mesh = blockMesh(d);
+        EXPECT_TRUE(validate(mesh).empty());
+        ASSERT_EQ(mesh.patches.size(), 2U);
+        EXPECT_EQ(mesh.patches[0].name, "large");
+        EXPECT_EQ(mesh.patches[0].size, 2);
+        EXPECT_EQ(mesh.internalFaceCount(), 12 + 4 + 2);
+    }
 }
 
 TEST(Blocks, wrongDescriptionsAreRefusedWithTheirPlace) {

@@ -104,6 +104,7 @@ public:
     void addBoundary(const std::vector<BoundarySide>& sides, PolyMesh& mesh) const;
 
 private:
+    void fillRow(const Row& at, std::size_t f, PolyMesh& mesh) const;
     Row row(Label r) const;
     Label cellAcross(const Row& row, Label i, std::size_t side) const;
     UpperFaces upperFaces(const Row& row, Label i) const;
@@ -202,22 +203,22 @@ void FaceCollector::addInternal(std::size_t boundaryFaces, PolyMesh& mesh) const
     mesh.faces.values = freshList<Label>(4 * (faceCount + boundaryFaces));
     mesh.faces.values.resize(4 * faceCount);
     parallelBlocks(rowCount, 16, [&](Label, Label first, Label last) {
-        for (Label r = first; r < last; ++r) {
-            const Row at = row(r);
-            const BlockGrid grid{description_.blocks[at.block].cells};
-            std::size_t f = index(firstFace[index(r)]);
-            for (Label i = 0; i < grid.cells[0]; ++i) {
-                const UpperFaces upper = upperFaces(at, i);
-                for (std::size_t n = 0; n < upper.count; ++n, ++f) {
-                    mesh.owner[f] = numbering_.firstCell[at.block] + grid.cell(i, at.j, at.k);
-                    mesh.neighbour[f] = upper.faces[n].neighbour;
-                    std::ranges::copy(quad(at, i, upper.faces[n].side),
-                                      mesh.faces.values.begin() +
-                                          static_cast<std::ptrdiff_t>(4 * f));
-                }
-            }
-        }
+        for (Label r = first; r < last; ++r)
+            fillRow(row(r), index(firstFace[index(r)]), mesh);
     });
+}
+
+/// Enters the internal faces of a row of cells, from face f on.
+void FaceCollector::fillRow(const Row& at, std::size_t f, PolyMesh& mesh) const {
+    const BlockGrid grid{description_.blocks[at.block].cells};
+    for (Label i = 0; i < grid.cells[0]; ++i) {
+        const UpperFaces upper = upperFaces(at, i);
+        for (std::size_t n = 0; n < upper.count; ++n, ++f) {
+            mesh.owner[f] = numbering_.firstCell[at.block] + grid.cell(i, at.j, at.k);
+            mesh.neighbour[f] = upper.faces[n].neighbour;
+            std::ranges::copy(quad(at, i, upper.faces[n].side), &mesh.faces.values[4 * f]);
+        }
+    }
 }
 
 /// How many different labels there are.

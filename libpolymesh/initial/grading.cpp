@@ -21,8 +21,8 @@ std::vector<Label> sectionCells(Label cells, const Grading& grading) {
     std::vector<Label> result;
     Label left = cells;
     for (const GradingSection& section : grading) {
-        result.push_back(
-            static_cast<Label>(section.cells / total * static_cast<double>(cells) + 0.5));
+        const double share = section.cells / total * static_cast<double>(cells);
+        result.push_back(static_cast<Label>(std::lround(share)));
         left -= result.back();
     }
     const auto largest = std::ranges::max_element(grading, {}, &GradingSection::cells);

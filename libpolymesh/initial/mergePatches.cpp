@@ -49,6 +49,7 @@ std::vector<Label> mergedPoints(const PolyMesh& mesh, const Patch& master, const
     std::iota(merged.begin(), merged.end(), Label{0});
     const std::vector<Label> targets = pointsOf(mesh, master);
     std::vector<Box> boxes;
+    boxes.reserve(targets.size());
     for (const Label p : targets)
         boxes.push_back({mesh.points[index(p)], mesh.points[index(p)]});
     const BoxTree tree(boxes);
@@ -109,12 +110,14 @@ struct NewFace {
     Label neighbour = 0;
     Label old = 0;
 
+    // NOLINTNEXTLINE(modernize-use-nullptr): what the compiler makes of it
     auto operator<=>(const NewFace&) const = default;
 };
 
 std::vector<NewFace> internalFaces(const PolyMesh& mesh,
                                    const std::vector<std::pair<Label, Label>>& matching) {
     std::vector<NewFace> faces;
+    faces.reserve(mesh.neighbour.size() + matching.size());
     for (Label f = 0; f < mesh.internalFaceCount(); ++f)
         faces.push_back({mesh.owner[index(f)], mesh.neighbour[index(f)], f});
     for (const auto& [a, b] : matching) {

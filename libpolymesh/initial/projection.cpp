@@ -112,6 +112,7 @@ Curve projectedCurve(Shape shape) {
                const Vec3& start, const Vec3& end, std::span<const double> parameters) {
         const std::vector<double> wanted(parameters.begin(), parameters.end());
         std::vector<Vec3> points;
+        points.reserve(wanted.size());
         for (const double t : wanted)
             points.push_back(start + t * (end - start));
         const Line line{0, 1, points.size()};

@@ -59,15 +59,17 @@ def copyOpened(source, target):
         shutil.copyfile(source, target)
 
 
-def makeCase(source, target, examples):
+def makeCase(source, target, dictionary, examples):
     for part in ("system", "constant"):
         for folder, _, files in os.walk(os.path.join(source, part)):
             for file in files:
                 path = os.path.join(folder, file)
                 copyOpened(path, os.path.join(target, os.path.relpath(path, source)))
     shared = os.path.join(examples, "resources/geometry")  # what Allrun scripts copy
+    with open(os.path.join(target, dictionary), errors="replace") as file:
+        text = file.read()
     for file in os.scandir(shared) if os.path.isdir(shared) else []:
-        if file.is_file():
+        if file.is_file() and file.name.removesuffix(".gz") in text:
             copyOpened(file.path, os.path.join(target, "constant/triSurface", file.name))
     os.makedirs(os.path.join(target, "system"), exist_ok=True)
     with open(os.path.join(target, "system/controlDict"), "w") as control:
@@ -92,7 +94,7 @@ def reference(source, case, dictionary, examples):
     status = os.path.join(case, "reference.status")
     if not os.path.exists(status):
         shutil.rmtree(case, ignore_errors=True)
-        makeCase(source, case, examples)
+        makeCase(source, case, dictionary, examples)
         code, _ = run([BLOCK_MESH, "-case", case, "-dict", dictionary], case + "/log.blockMesh")
         mesh = os.path.join(case, "constant/polyMesh")
         made = code == 0 and os.path.exists(mesh + "/faces")

@@ -36,9 +36,9 @@ public:
 private:
     template<class Use>
     void extend(Use& use, std::size_t& most) {
-        const auto [first, last] =
-            std::ranges::equal_range(steps_, path_.back(), {}, &std::pair<Label, Label>::first);
-        for (auto step = first; step != last && most > 0; ++step, --most) {
+        const Label at = path_.back();
+        auto step = std::ranges::lower_bound(steps_, at, {}, &std::pair<Label, Label>::first);
+        for (; step != steps_.end() && step->first == at && most > 0; ++step, --most) {
             const Label next = step->second;
             if (next == path_.front() && path_.size() > 2) use(path_);
             if (path_.size() == longest_ || std::ranges::find(path_, next) != path_.end()) continue;

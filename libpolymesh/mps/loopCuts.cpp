@@ -298,7 +298,7 @@ private:
             if (isSplit[d->face] != 0) return std::nullopt;
             isSplit[d->face] = 1;
             Polygon face = part.loops[d->face];
-            std::ranges::rotate(face, std::ranges::find(face, a));
+            std::rotate(face.begin(), std::ranges::find(face, a), face.end());
             const auto end = std::ranges::find(face, b);
             split.loops[d->face] = Polygon(face.begin(), end + 1);
             Polygon rest(end, face.end());

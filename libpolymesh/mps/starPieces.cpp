@@ -238,7 +238,8 @@ private:
         std::tuple<int, std::size_t> bestScore{piece.unseen, 0};
         for (const Loop& loop : loops) {
             const auto isFree = [&](Label a, Label b) {
-                const auto [low, high] = std::minmax(a, b);
+                const Label low = std::min(a, b);
+                const Label high = std::max(a, b);
                 return mayJoin_(a, b) && std::ranges::none_of(edges, [&](const PieceEdge& e) {
                            return e.a == low && e.b == high;
                        });

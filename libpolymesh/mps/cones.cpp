@@ -96,6 +96,7 @@ private:
     /// The faces of the cell over some faces of this one.
     std::vector<Polygon> coneLoops(const std::vector<int>& faces) const {
         std::vector<Polygon> loops;
+        loops.reserve(faces.size());
         const auto isIn = [&](int f) { return std::ranges::find(faces, f) != faces.end(); };
         for (const int f : faces)
             loops.push_back(loops_[static_cast<std::size_t>(f)]);

@@ -435,6 +435,7 @@ std::vector<FacePieces> diagonalsOf(const PolyMesh& mesh,
         }
     }
     std::vector<FacePieces> result;
+    result.reserve(pieces.size());
     for (auto& [face, loops] : pieces)
         result.push_back({face, std::move(loops)});
     return result;

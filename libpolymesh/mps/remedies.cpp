@@ -240,6 +240,7 @@ private:
             labels.insert(labels.end(), mesh_.faces[s.face].begin(), mesh_.faces[s.face].end());
         std::ranges::sort(labels);
         labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
+        points.reserve(labels.size());
         for (const Label p : labels)
             points.push_back(mesh_.points[index(p)]);
         const Label firstNew = toLabel(labels.size());
@@ -310,7 +311,7 @@ private:
             }
         std::set<Label> kept;
         std::vector<Polygon> loops;
-        const std::vector<SeenFace> seen = seenFaces(faces, {cell, other});
+        std::vector<SeenFace> seen = seenFaces(faces, {cell, other});
         for (const SeenFace& s : seen) {
             const auto loop = mesh_.faces[s.face];
             kept.insert(loop.begin(), loop.end());

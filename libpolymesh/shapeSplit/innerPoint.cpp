@@ -113,13 +113,15 @@ std::vector<Vec3> pointsOfGrid(MeshEditor& editor, Label cell) {
     const Vec3 step = box.size() / divisions;
     std::vector<std::pair<double, Vec3>> found;
     for (int i = 0; i < divisions * divisions * divisions; ++i) {
-        const Vec3 p = box.min + Vec3{(i % divisions + 0.5) * step.x,
-                                      (i / divisions % divisions + 0.5) * step.y,
-                                      (i / (divisions * divisions) + 0.5) * step.z};
+        const int j = i / divisions % divisions;
+        const int k = i / (divisions * divisions);
+        const Vec3 p =
+            box.min + Vec3{(i % divisions + 0.5) * step.x, (j + 0.5) * step.y, (k + 0.5) * step.z};
         if (const double h = height(p); h > least) found.emplace_back(-h, p);
     }
     std::ranges::sort(found);
     std::vector<Vec3> points;
+    points.reserve(found.size());
     for (const auto& [h, p] : found)
         points.push_back(p);
     return points;

@@ -149,6 +149,7 @@ private:
         std::ranges::stable_sort(cuts, {}, &Cut::excess);
         if (cuts.size() > effort_.candidates) cuts.resize(effort_.candidates);
         std::vector<CellCut> loops;
+        loops.reserve(cuts.size());
         for (Cut& cut : cuts)
             loops.push_back(std::move(cut.loops));
         return loops;

@@ -161,6 +161,7 @@ private:
         std::ranges::sort(partners);
         partners.erase(std::unique(partners.begin(), partners.end()), partners.end());
         std::vector<Label> labels;
+        labels.reserve(partners.size());
         for (const auto& partner : partners)
             labels.push_back(std::get<Label>(partner));
         return labels;
@@ -346,6 +347,7 @@ void splitPass(SplitMesh& split,
                const Limits& limits) {
     MeshPart part = partRound(split.mesh, withFaceNeighbours(split.mesh, cells));
     std::vector<Label> inPart;
+    inPart.reserve(cells.size());
     for (const Label c : cells)
         inPart.push_back(
             static_cast<Label>(std::ranges::lower_bound(part.cells, c) - part.cells.begin()));

@@ -23,6 +23,7 @@ struct CellShape {
 
     bool isRecognised() const { return shape != unrecognised; }
 
+    // NOLINTNEXTLINE(modernize-use-nullptr): what the compiler makes of it compares with 0
     auto operator<=>(const CellShape&) const = default;
 };
 

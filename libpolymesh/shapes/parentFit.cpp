@@ -41,7 +41,7 @@ Vec3 unitNormal(const Recognition& cell, std::size_t face, std::span<const Vec3>
 }
 
 /// True for a face of the hexahedron whose opposite is gone (of sammTrim5).
-bool isSingle(const BaseShapeTable& table, std::uint8_t face) {
+bool isSingle(const BaseShapeTable& table, std::size_t face) {
     const auto holds = [&](const auto& pair) { return pair[0] == face || pair[1] == face; };
     return std::ranges::none_of(table.oppositeFaces, holds) &&
            std::ranges::find(table.cutFaces, face) == table.cutFaces.end();
@@ -56,7 +56,7 @@ double likeness(const Recognition& cell, std::span<const Vec3> points) {
         const Vec3 a = unitNormal(cell, one, points);
         const Vec3 b = unitNormal(cell, other, points);
         sum -= dot(a, b);
-        for (std::uint8_t f = 0; f < table.faces.size(); ++f)
+        for (std::size_t f = 0; f < table.faces.size(); ++f)
             if (isSingle(table, f)) sum -= std::abs(dot(unitNormal(cell, f, points), a - b)) / 2;
     }
     return sum;

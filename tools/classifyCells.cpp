@@ -5,6 +5,7 @@
 // the mesh is divided where a cell has no acceptable shape.
 
 #include "formats/foam/polyMeshIo.h"
+#include "libpolymesh/mesh/cellGeometry.h"
 #include "libpolymesh/mesh/topology.h"
 #include "libpolymesh/mesh/validate.h"
 #include "libpolymesh/shapeSplit/splitCells.h"

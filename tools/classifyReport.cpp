@@ -4,8 +4,6 @@
 
 #include "formats/foam/cellField.h"
 #include "formats/foam/sets.h"
-#include "libpolymesh/base/parallel.h"
-#include "libpolymesh/mesh/cellGeometry.h"
 
 #include <cmath>
 
@@ -38,15 +36,6 @@ void listShapes(ToolRun& tool) {
     for (const BaseShape base : allBaseShapes())
         tool.report["variants"][std::string(tableOf(base).name)] = catalogue.variantCount(base);
     tool.report["total"] = catalogue.shapes().size();
-}
-
-double boundedVolume(const PolyMesh& mesh) {
-    const Vec3 apex = mesh.points.empty() ? Vec3{} : mesh.points.front();
-    return parallelSum(mesh.faceCount() - mesh.internalFaceCount(), 0.0, [&](Label i) {
-        const FaceGeometry face =
-            faceGeometry(mesh.points, mesh.faces[mesh.internalFaceCount() + i]);
-        return dot(face.area, face.centre - apex) / 3;
-    });
 }
 
 void reportSplit(ToolRun& tool,

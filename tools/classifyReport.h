@@ -13,9 +13,6 @@ namespace polymesh::tools {
 /// Prints the catalogue: a line a shape, a line a base with the number of its variants, the total.
 void listShapes(ToolRun& tool);
 
-/// Volume [m^3] that the boundary holds, by OpenFOAM's areas and centres of its faces.
-double boundedVolume(const PolyMesh& mesh);
-
 /// Prints and reports what -split did.
 void reportSplit(ToolRun& tool,
                  const ShapeSplitCounts& counts,

@@ -4,7 +4,6 @@
 
 #include "formats/foam/sets.h"
 #include "libpolymesh/base/error.h"
-#include "libpolymesh/base/parallel.h"
 #include "libpolymesh/mesh/cellGeometry.h"
 #include "libpolymesh/mesh/topology.h"
 #include "libpolymesh/mesh/validate.h"
@@ -18,16 +17,6 @@ namespace {
 
 constexpr std::size_t shownCells = 5;
 constexpr const char* invertedSet = "invertedParts";
-
-/// Volume [m^3] that the boundary holds, by OpenFOAM's areas and centres of its faces.
-double boundedVolume(const PolyMesh& mesh) {
-    const Vec3 apex = mesh.points.empty() ? Vec3{} : mesh.points.front();
-    return parallelSum(mesh.faceCount() - mesh.internalFaceCount(), 0.0, [&](Label i) {
-        const FaceGeometry face =
-            faceGeometry(mesh.points, mesh.faces[mesh.internalFaceCount() + i]);
-        return dot(face.area, face.centre - apex) / 3;
-    });
-}
 
 std::string shown(const Vec3& p) {
     return fmt::format("({:.6g} {:.6g} {:.6g})", p.x, p.y, p.z);

@@ -304,8 +304,13 @@ std::string helpText(std::string_view tool, std::string_view purpose, const Sett
     std::string common = "Options of every tool\n";
     for (const Option& option : settings.options()) {
         const std::string value = option.value.empty() ? "" : " " + option.value;
-        (option.inDictionary ? own : common) +=
-            fmt::format("  {:<24} {}\n", "-" + option.name + value, option.help);
+        const bool isCommon =
+            std::ranges::find(commonOptions(), option.name, &Option::name) != commonOptions().end();
+        (isCommon ? common : own) +=
+            fmt::format("  {:<24} {}{}\n",
+                        "-" + option.name + value,
+                        option.help,
+                        isCommon || option.inDictionary ? "" : "; not in the dictionary");
     }
     return fmt::format("{}: {}\n\n{}\n{}\nExit status: 0 done, 1 the work failed or a check did "
                        "not pass, 2 wrong usage or bad input.\n",

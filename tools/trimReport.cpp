@@ -84,26 +84,6 @@ void reportFeatures(ToolRun& tool, const TrimRun& run) {
     tool.report["cornersCaptured"] = found;
 }
 
-/// Volume [m^3] that the boundary of a mesh holds; faces are fans round the mean of their points.
-double boundedVolume(const PolyMesh& mesh) {
-    const Vec3 apex = boundingBox(mesh).centre();
-    const Label first = mesh.internalFaceCount();
-    const long double sum = parallelSum(mesh.faceCount() - first, 0.0L, [&](Label i) {
-        const auto face = mesh.faces[first + i];
-        Vec3 mean;
-        for (const Label p : face)
-            mean += mesh.points[index(p)] - apex;
-        mean = mean / static_cast<double>(face.size());
-        long double cones = 0;
-        for (std::size_t k = 0; k < face.size(); ++k)
-            cones += dot(mean,
-                         cross(mesh.points[index(face[k])] - apex,
-                               mesh.points[index(face[(k + 1) % face.size()])] - apex));
-        return cones;
-    });
-    return static_cast<double>(sum / 6);
-}
-
 /// Area [m^2] of the faces of a patch.
 double areaOf(const PolyMesh& mesh, const Patch& patch) {
     return parallelSum(patch.size, 0.0, [&](Label i) {

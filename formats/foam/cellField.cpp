@@ -3,12 +3,11 @@
 #include "formats/foam/cellField.h"
 
 #include "formats/foam/listWriter.h"
+#include "formats/foam/replaceFile.h"
 #include "libpolymesh/base/error.h"
 
 #include <algorithm>
 #include <array>
-#include <system_error>
-#include <unistd.h>
 
 namespace polymesh::foam {
 
@@ -61,22 +60,10 @@ void writeCellField(const fs::path& timeDirectory,
                     const PolyMesh& mesh,
                     std::span<const double> values,
                     const WriteFormat& format) {
-    const fs::path path = timeDirectory / name;
-    const fs::path temporary = timeDirectory / fmt::format(".{}.new.{}", name, ::getpid());
-    std::error_code why;
-    fs::create_directories(timeDirectory, why);
-    try {
-        OutputFile file(temporary, path, false);
+    replaceFile(timeDirectory / name, [&](OutputFile& file) {
         const std::string location = timeDirectory.filename().string();
         writeField(file, {"volScalarField", name, location, ""}, mesh, values, format);
-        file.close();
-        fs::rename(temporary, path, why);
-        if (why)
-            throw WorkError(fmt::format("{}: cannot be written: {}", path.string(), why.message()));
-    } catch (...) {
-        fs::remove(temporary, why);
-        throw;
-    }
+    });
 }
 
 } // namespace polymesh::foam

@@ -4,10 +4,9 @@
 
 #include "formats/foam/listReader.h"
 #include "formats/foam/listWriter.h"
+#include "formats/foam/replaceFile.h"
 
 #include <algorithm>
-#include <system_error>
-#include <unistd.h>
 
 namespace polymesh::foam {
 namespace {
@@ -32,22 +31,10 @@ void writeSet(const fs::path& polyMeshDirectory,
               SetKind kind,
               const std::string& name,
               std::span<const Label> labels) {
-    const fs::path path = polyMeshDirectory / "sets" / name;
-    const fs::path temporary = path.parent_path() / fmt::format(".{}.new.{}", name, ::getpid());
-    std::error_code why;
-    fs::create_directories(path.parent_path(), why);
-    try {
-        OutputFile file(temporary, path, false);
+    replaceFile(polyMeshDirectory / "sets" / name, [&](OutputFile& file) {
         writeHeader(file, {classOf(kind), name, "constant/polyMesh/sets", ""}, Format::ascii);
         writeLabels(file, Format::ascii, labels);
-        file.close();
-        fs::rename(temporary, path, why);
-        if (why)
-            throw WorkError(fmt::format("{}: cannot be written: {}", path.string(), why.message()));
-    } catch (...) {
-        fs::remove(temporary, why);
-        throw;
-    }
+    });
 }
 
 std::vector<Label>

@@ -3,10 +3,12 @@
 #pragma once
 
 #include "formats/star/facePairs.h"
+#include "libpolymesh/base/error.h"
 
 #include <array>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace polymesh::star {
@@ -18,6 +20,14 @@ struct BoundaryRecords {
     std::map<Label, std::string> types; // of all regions, by number
     std::vector<std::string> notes;     // what was left out
 };
+
+/// Notes that so many records of the file are left out, and why; nothing when there are none.
+inline void
+noteLeftOut(BoundaryRecords& records, const TextFile& file, Label count, std::string_view why) {
+    if (count > 0)
+        records.notes.push_back(
+            fmt::format("{}: {} records {} and are left out", file.name, count, why));
+}
 
 /// The two faces of cells that lie on each baffle.
 using BaffleSides = std::vector<std::array<Label, 2>>;

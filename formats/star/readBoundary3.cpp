@@ -49,8 +49,8 @@ public:
     BoundaryRecords read() {
         while (reader_.findWord())
             readRecord();
-        note(unmatched_, "fit no boundary face");
-        note(repeated_, "name a face that an earlier one names");
+        noteLeftOut(records_, file_, unmatched_, "fit no boundary face");
+        noteLeftOut(records_, file_, repeated_, "name a face that an earlier one names");
         return std::move(records_);
     }
 
@@ -117,12 +117,6 @@ private:
         for (const Label face : facesAt_[rarest])
             if (const auto found = fit(face); found && (!best || *found < *best)) best = found;
         return best ? std::optional((*best)[3]) : std::nullopt;
-    }
-
-    void note(Label count, std::string_view what) {
-        if (count > 0)
-            records_.notes.push_back(
-                fmt::format("{}: {} records {} and are left out", file_.name, count, what));
     }
 
     const TextFile& file_;

@@ -27,9 +27,9 @@ public:
     BoundaryRecords read() {
         while (reader_.findWord())
             readRecord();
-        note(internal_, "lie between two cells");
-        note(repeated_, "name a face that an earlier one names");
-        note(onOthers_, "belong to shells, lines or points");
+        noteLeftOut(records_, file_, internal_, "lie between two cells");
+        noteLeftOut(records_, file_, repeated_, "name a face that an earlier one names");
+        noteLeftOut(records_, file_, onOthers_, "belong to shells, lines or points");
         return std::move(records_);
     }
 
@@ -83,12 +83,6 @@ private:
             records_.faces.push_back(face);
             records_.regions.push_back(region_);
         }
-    }
-
-    void note(Label count, std::string_view what) {
-        if (count > 0)
-            records_.notes.push_back(
-                fmt::format("{}: {} records {} and are left out", file_.name, count, what));
     }
 
     const TextFile& file_;

@@ -3,6 +3,7 @@
 #include "libpolymesh/mesh/cellGeometry.h"
 
 #include "libpolymesh/base/parallel.h"
+#include "libpolymesh/mesh/boundingBox.h"
 #include "libpolymesh/mesh/topology.h"
 
 namespace polymesh {
@@ -96,6 +97,16 @@ MeshGeometry computeGeometry(const PolyMesh& mesh, const Rows<Label>& cellFaces)
 
 MeshGeometry computeGeometry(const PolyMesh& mesh) {
     return computeGeometry(mesh, cellFaces(mesh));
+}
+
+double boundedVolume(const PolyMesh& mesh) {
+    const Vec3 apex = boundingBox(mesh).centre();
+    const Label first = mesh.internalFaceCount();
+    const long double sum = parallelSum(mesh.faceCount() - first, 0.0L, [&](Label i) {
+        const FaceGeometry face = faceGeometry(mesh.points, mesh.faces[first + i]);
+        return static_cast<long double>(dot(face.area, face.centre - apex));
+    });
+    return static_cast<double>(sum / 3);
 }
 
 } // namespace polymesh

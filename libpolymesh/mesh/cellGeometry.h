@@ -53,4 +53,8 @@ MeshGeometry computeGeometry(const PolyMesh& mesh);
 /// The same when the faces of each cell (topology.h) are at hand.
 MeshGeometry computeGeometry(const PolyMesh& mesh, const Rows<Label>& cellFaces);
 
+/// Volume [m^3] that the boundary of a mesh holds: the sum of its cells' volumes but for rounding,
+/// of which there is less. Cost: O(corners of boundary faces).
+double boundedVolume(const PolyMesh& mesh);
+
 } // namespace polymesh

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/mps/cones.h"
 
-#include "libpolymesh/base/parallel.h"
 #include "libpolymesh/mps/cellLoops.h"
 #include "libpolymesh/mps/looseFaces.h"
 #include "libpolymesh/mps/pointWithin.h"
+#include "libpolymesh/mps/searchCells.h"
 
 #include <algorithm>
 #include <array>
@@ -244,15 +244,8 @@ std::vector<CellCones> conesOf(const PolyMesh& mesh,
                                const Bends& bends,
                                const SubdivisionPlan& plan,
                                std::span<const Label> cells) {
-    std::vector<std::optional<CellCones>> found(cells.size());
-    parallelBlocks(toLabel(cells.size()), 8, [&](Label, Label first, Label last) {
-        for (Label i = first; i < last; ++i)
-            found[index(i)] = ConeSearch(mesh, bends, plan, cells[index(i)]).find();
-    });
-    std::vector<CellCones> cones;
-    for (auto& cone : found)
-        if (cone) cones.push_back(std::move(*cone));
-    return cones;
+    return searchCells(cells,
+                       [&](Label cell) { return ConeSearch(mesh, bends, plan, cell).find(); });
 }
 
 PolyMesh withCones(PolyMesh mesh, const Rows<Label>& cellFaces, std::span<const CellCones> cones) {

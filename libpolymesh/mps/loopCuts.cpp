@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/mps/loopCuts.h"
 
-#include "libpolymesh/base/parallel.h"
 #include "libpolymesh/mps/cellLoops.h"
 #include "libpolymesh/mps/chords.h"
 #include "libpolymesh/mps/edgeLoops.h"
+#include "libpolymesh/mps/searchCells.h"
 
 #include <algorithm>
 #include <map>
@@ -445,17 +445,9 @@ std::vector<CellCones> loopCutsOf(const PolyMesh& mesh,
                                   const Bends& bends,
                                   const SubdivisionPlan& plan,
                                   std::span<const Label> cells) {
-    std::vector<std::optional<CellCones>> found(cells.size());
-    parallelBlocks(toLabel(cells.size()), 8, [&](Label, Label first, Label last) {
-        for (Label i = first; i < last; ++i)
-            found[index(i)] =
-                LoopCutter(mesh, bends, cells[index(i)], wholeCell(mesh, plan, cells[index(i)], {}))
-                    .find();
+    return searchCells(cells, [&](Label cell) {
+        return LoopCutter(mesh, bends, cell, wholeCell(mesh, plan, cell, {})).find();
     });
-    std::vector<CellCones> cuts;
-    for (auto& cut : found)
-        if (cut) cuts.push_back(std::move(*cut));
-    return cuts;
 }
 
 } // namespace polymesh

@@ -132,7 +132,7 @@ TEST(BlockMeshDict, whatIsNotSupportedIsNamed) {
     }
 }
 
-/// A few of OpenFOAM's examples, each with its own features; all: benchmarks/compareBlockMesh.py
+/// A few of OpenFOAM's examples, each with its own features; all: benchmarks/compareBlockMesh
 TEST(BlockMeshDict, examplesGiveTheMeshOfOpenFoam) {
     const fs::path examples = "/usr/share/doc/openfoam-examples/examples";
     if (!fs::exists("/usr/bin/blockMesh") || !fs::exists(examples))

@@ -98,4 +98,11 @@ TEST(Help, listsEveryOption) {
         EXPECT_NE(help.find(text), std::string::npos) << text;
 }
 
+TEST(Help, listsOnlyCommonOptionsAsThoseOfEveryTool) {
+    const std::vector<Option> own{{"listAll", "", "print all there are", false}};
+    const std::string help = helpText("x", "does x", Settings(own));
+    EXPECT_LT(help.find("-listAll"), help.find("Options of every tool"));
+    EXPECT_NE(help.find("not in the dictionary"), std::string::npos);
+}
+
 } // namespace polymesh::tools

@@ -68,6 +68,10 @@ private:
     void readOldPatches();
 };
 
+/// Other entries than the known ones are macros of the user, unless they look like a known one that
+/// is missing: that is an InputError.
+void refuseMisspelt(const foam::Dictionary& dictionary, const std::vector<std::string>& known);
+
 /// The list that an entry of the whole dictionary is.
 const foam::Value& listOf(const foam::Dictionary& dictionary, const std::string& key);
 

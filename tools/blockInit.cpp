@@ -156,12 +156,13 @@ ExitCode run(ToolRun& tool) {
 Tool thisTool() {
     return {
         "blockInit",
-        "makes the initial mesh of hexahedra: a box divided into cubes or bricks; a graded box, "
-        "cylinder or sphere (cartesian, cylinder, sphere in system/blockInitDict); or the "
-        "blocks of system/blockMeshDict, as OpenFOAM's blockMesh does",
+        "makes the initial mesh of hexahedra: a box divided into cubes or bricks; graded boxes, "
+        "cylinders, spheres and extruded sheets, stitched where they touch (cartesian, cylinder, "
+        "sphere, extrude and parts in system/blockInitDict); or the blocks of "
+        "system/blockMeshDict, as OpenFOAM's blockMesh does",
         options,
         run,
-        {},
+        {"cartesian", "cylinder", "extrude", "parts", "sphere"},
         {},
         isBlockDict};
 }

@@ -62,8 +62,9 @@ ExitCode runBlocks(ToolRun& tool, const fs::path& dictionary) {
     tool.clock.start("read dictionary");
     const foam::Dictionary entries = foam::readDictionary(dictionary);
     const auto find = [&](const std::string& name) { return findSurface(tool, name); };
-    const BlockMeshDescription description =
-        isShorthand(entries) ? readShorthand(entries) : readBlockMeshDict(entries, find);
+    const BlockMeshDescription description = isShorthand(entries)
+                                                 ? readShorthands(entries, {find, tool.meshDir()})
+                                                 : readBlockMeshDict(entries, find);
     tool.say("dictionary {}", dictionary.string());
     tool.clock.start("make mesh");
     const PolyMesh mesh = blockMesh(description);

@@ -41,20 +41,6 @@ bool isEmptyList(const foam::Entry& entry) {
            entry.values[0].items.empty();
 }
 
-/// Other names are macros of the user, unless they look like a name that is missing.
-void checkKeys(const foam::Dictionary& dictionary) {
-    for (const foam::Entry& entry : dictionary.entries()) {
-        const bool isKnown = std::ranges::find(knownKeys, entry.key) != knownKeys.end();
-        if (isKnown || isEmptyList(entry)) continue;
-        const std::string nearest = nearestWord(entry.key, knownKeys);
-        require(dictionary.has(nearest) || !areSimilar(entry.key, nearest),
-                "{}: unknown entry {}; did you mean {}? (A macro needs a less similar name.)",
-                entry.place.text(),
-                entry.key,
-                nearest);
-    }
-}
-
 double scaleOf(const foam::Dictionary& dictionary) {
     for (const char* key : {"scale", "convertToMeters"}) {
         if (!dictionary.has(key)) continue;
@@ -85,6 +71,19 @@ void readMergePairs(BlockDictReader& reader) {
 }
 
 } // namespace
+
+void refuseMisspelt(const foam::Dictionary& dictionary, const std::vector<std::string>& known) {
+    for (const foam::Entry& entry : dictionary.entries()) {
+        const bool isKnown = std::ranges::find(known, entry.key) != known.end();
+        if (isKnown || isEmptyList(entry)) continue;
+        const std::string nearest = nearestWord(entry.key, known);
+        require(dictionary.has(nearest) || !areSimilar(entry.key, nearest),
+                "{}: unknown entry {}; did you mean {}? (A macro needs a less similar name.)",
+                entry.place.text(),
+                entry.key,
+                nearest);
+    }
+}
 
 const foam::Value& Items::next(const std::string& expected) {
     require(!atEnd(),
@@ -131,7 +130,7 @@ bool isBlockMeshDict(const foam::Dictionary& dictionary) {
 
 BlockMeshDescription readBlockMeshDict(const foam::Dictionary& dictionary,
                                        const FindSurface& findSurface) {
-    checkKeys(dictionary);
+    refuseMisspelt(dictionary, knownKeys);
     BlockDictReader reader{dictionary, findSurface};
     reader.mesh.scale = scaleOf(dictionary);
     reader.readVertices();

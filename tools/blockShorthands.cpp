@@ -3,17 +3,23 @@
 #include "tools/blockShorthands.h"
 
 #include "libpolymesh/base/error.h"
+#include "libpolymesh/initial/blockParts.h"
 #include "libpolymesh/initial/roundBlocks.h"
 #include "tools/blockDictReader.h"
+#include "tools/blockExtrude.h"
 
 #include <algorithm>
 #include <numbers>
+#include <utility>
 
 namespace polymesh::tools {
 
 namespace {
 
-constexpr std::array<const char*, 3> shorthands{"cartesian", "cylinder", "sphere"};
+const std::vector<std::string> shorthands{"cartesian", "cylinder", "sphere", "extrude"};
+
+/// `parts ( shorthand {...} shorthand {...} )`
+constexpr const char* partList = "parts";
 
 double positive(const foam::Dictionary& dictionary, const std::string& key) {
     const double value = dictionary.scalar(key);
@@ -58,7 +64,6 @@ std::array<Grading, n> gradingsOf(const foam::Dictionary& dictionary, const std:
 }
 
 BlockMeshDescription readCartesian(const foam::Dictionary& dictionary) {
-    foam::requireKnownKeys(dictionary, {"min", "max", "cells", "grading"});
     const GradedBox box{{dictionary.vector("min"), dictionary.vector("max")},
                         cellsOf<3>(dictionary, "three numbers of cells (nx ny nz)"),
                         gradingsOf<3>(dictionary, "three gradings (x y z)")};
@@ -69,9 +74,6 @@ BlockMeshDescription readCartesian(const foam::Dictionary& dictionary) {
 }
 
 BlockMeshDescription readCylinder(const foam::Dictionary& dictionary) {
-    foam::requireKnownKeys(
-        dictionary,
-        {"point1", "point2", "radius", "holeRadius", "core", "angle", "cells", "grading"});
     CylinderSpec cylinder;
     cylinder.end1 = dictionary.vector("point1");
     cylinder.end2 = dictionary.vector("point2");
@@ -93,7 +95,6 @@ BlockMeshDescription readCylinder(const foam::Dictionary& dictionary) {
 }
 
 BlockMeshDescription readSphere(const foam::Dictionary& dictionary) {
-    foam::requireKnownKeys(dictionary, {"centre", "radius", "core", "cells", "grading"});
     BallSpec ball;
     ball.centre = dictionary.vector("centre");
     ball.radius = positive(dictionary, "radius");
@@ -103,28 +104,153 @@ BlockMeshDescription readSphere(const foam::Dictionary& dictionary) {
     return ballBlocks(ball);
 }
 
+void requireKnownKeys(const std::string& shorthand, const foam::Dictionary& dictionary) {
+    if (shorthand == "cartesian")
+        foam::requireKnownKeys(dictionary, {"min", "max", "cells", "grading", "patches", "zone"});
+    else if (shorthand == "cylinder")
+        foam::requireKnownKeys(dictionary,
+                               {"point1",
+                                "point2",
+                                "radius",
+                                "holeRadius",
+                                "core",
+                                "angle",
+                                "cells",
+                                "grading",
+                                "patches",
+                                "zone"});
+    else if (shorthand == "sphere")
+        foam::requireKnownKeys(dictionary,
+                               {"centre", "radius", "core", "cells", "grading", "patches", "zone"});
+    else
+        foam::requireKnownKeys(dictionary,
+                               {"points",
+                                "quads",
+                                "surface",
+                                "patch",
+                                "vector",
+                                "cells",
+                                "layers",
+                                "grading",
+                                "patches",
+                                "zone"});
+}
+
+BlockMeshDescription readBlocks(const std::string& shorthand,
+                                const foam::Dictionary& dictionary,
+                                const ShorthandFiles& files) {
+    if (shorthand == "cartesian") return readCartesian(dictionary);
+    if (shorthand == "cylinder") return readCylinder(dictionary);
+    if (shorthand == "sphere") return readSphere(dictionary);
+    return readExtrude(dictionary, files);
+}
+
+/// `patches { side pipe; bottom { name inlet; type patch; } }`: other names, and types.
+void renamePatches(const foam::Dictionary& patches, BlockMeshDescription& mesh) {
+    std::vector<std::string> known;
+    for (const BlockPatch& patch : mesh.patches)
+        known.push_back(patch.patch.name);
+    for (const foam::Entry& entry : patches.entries()) {
+        require(std::ranges::find(known, entry.key) != known.end(),
+                "{}: patches: there is no patch {} here, expected one of: {}",
+                entry.place.text(),
+                entry.key,
+                fmt::join(known, ", "));
+        if (!entry.dictionary) continue;
+        foam::requireKnownKeys(*entry.dictionary, {"name", "type"});
+        const auto patch = std::ranges::find(
+            mesh.patches, entry.key, [](const BlockPatch& p) -> auto& { return p.patch.name; });
+        patch->patch.type = entry.dictionary->word("type", "patch");
+    }
+    // No new name may be taken for one of the old ones.
+    for (const std::string& name : known)
+        renamePatch(mesh, name, "/" + name);
+    for (const std::string& name : known) {
+        const foam::Entry* entry = patches.find(name);
+        std::string newName = name;
+        if (entry != nullptr)
+            newName =
+                entry->dictionary ? entry->dictionary->string("name", name) : patches.string(name);
+        renamePatch(mesh, "/" + name, newName);
+    }
+}
+
+BlockMeshDescription readPart(const std::string& shorthand,
+                              const foam::Dictionary& dictionary,
+                              const ShorthandFiles& files) {
+    requireKnownKeys(shorthand, dictionary);
+    BlockMeshDescription part = readBlocks(shorthand, dictionary, files);
+    if (dictionary.has("patches")) renamePatches(dictionary.dictionary("patches"), part);
+    const std::string zone = dictionary.word("zone", "");
+    for (Block& block : part.blocks) {
+        block.zone = zone;
+        if (shorthand != "extrude") block.where = dictionary.place().text();
+    }
+    return part;
+}
+
+bool isKnown(const std::string& word) {
+    return std::ranges::find(shorthands, word) != shorthands.end();
+}
+
+/// A dictionary that comes twice has become one.
+void refuseMerged(const foam::Entry& entry) {
+    if (entry.earlier.empty()) return;
+    throw InputError(
+        fmt::format("{}: there is another {} at line {}; several of a kind have to stand in a "
+                    "list: {} ( {} {{...}} {} {{...}} );",
+                    entry.place.text(),
+                    entry.key,
+                    entry.earlier.front().line,
+                    partList,
+                    entry.key,
+                    entry.key));
+}
+
+using NamedDictionary = std::pair<std::string, const foam::Dictionary*>;
+
+/// The shorthands of a dictionary in the order in which they stand there.
+std::vector<NamedDictionary> findShorthands(const foam::Dictionary& dictionary) {
+    std::vector<NamedDictionary> found;
+    for (const foam::Entry& entry : dictionary.entries()) {
+        if (isKnown(entry.key)) {
+            refuseMerged(entry);
+            found.emplace_back(entry.key, &dictionary.dictionary(entry.key));
+        } else if (entry.key == partList) {
+            for (const NamedDictionary& part : foam::namedDictionaries(entry)) {
+                require(isKnown(part.first),
+                        "{}: {}: found {}, expected one of: {}",
+                        part.second->place().text(),
+                        partList,
+                        part.first,
+                        fmt::join(shorthands, ", "));
+                found.push_back(part);
+            }
+        }
+    }
+    require(!found.empty(), "{}: {}: the list is empty", dictionary.place().text(), partList);
+    return found;
+}
+
 } // namespace
 
 bool isShorthand(const foam::Dictionary& dictionary) {
-    return std::ranges::any_of(shorthands, [&](const char* key) { return dictionary.has(key); });
+    return dictionary.has(partList) || std::ranges::any_of(shorthands, [&](const std::string& key) {
+               return dictionary.has(key);
+           });
 }
 
-BlockMeshDescription readShorthand(const foam::Dictionary& dictionary) {
-    std::string found;
-    for (const char* key : shorthands) {
-        if (!dictionary.has(key)) continue;
-        require(found.empty(),
-                "{}: {} and {} together are not supported; write their blocks in "
-                "system/blockMeshDict",
-                dictionary.entry(key).place.text(),
-                found,
-                key);
-        found = key;
-    }
-    const foam::Dictionary& shorthand = dictionary.dictionary(found);
-    if (found == "cartesian") return readCartesian(shorthand);
-    if (found == "cylinder") return readCylinder(shorthand);
-    return readSphere(shorthand);
+BlockMeshDescription readShorthands(const foam::Dictionary& dictionary,
+                                    const ShorthandFiles& files) {
+    std::vector<std::string> keys = shorthands;
+    keys.emplace_back(partList);
+    refuseMisspelt(dictionary, keys);
+    const std::vector<NamedDictionary> found = findShorthands(dictionary);
+    if (found.size() == 1) return readPart(found[0].first, *found[0].second, files);
+    BlockMeshDescription mesh;
+    for (const auto& [shorthand, part] : found)
+        addPart(mesh, readPart(shorthand, *part, files), part->place().text());
+    return mesh;
 }
 
 } // namespace polymesh::tools

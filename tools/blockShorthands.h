@@ -4,14 +4,26 @@
 
 #include "formats/foam/dictionary.h"
 #include "libpolymesh/initial/blocks.h"
+#include "tools/blockMeshDict.h"
+
+#include <filesystem>
 
 namespace polymesh::tools {
 
-/// Whether a dictionary says cartesian {...}, cylinder {...} or sphere {...}.
+/// Where the files are that shorthands name.
+struct ShorthandFiles {
+    FindSurface findSurface;
+    std::filesystem::path polyMesh; // of the case, for patches
+};
+
+/// Whether a dictionary says cartesian {...}, cylinder {...}, sphere {...}, extrude {...} or
+/// parts (...).
 bool isShorthand(const foam::Dictionary& dictionary);
 
-/// The blocks of a shorthand. Throws InputError, which begins with file and line, for wrong or
-/// missing entries, and when there is more than one shorthand.
-BlockMeshDescription readShorthand(const foam::Dictionary& dictionary);
+/// The blocks of the shorthands, one part each when there are several. As in a blockMeshDict, other
+/// entries are macros of the user, unless they look like a misspelt name. Throws InputError, which
+/// begins with file and line, for wrong or missing entries.
+BlockMeshDescription readShorthands(const foam::Dictionary& dictionary,
+                                    const ShorthandFiles& files);
 
 } // namespace polymesh::tools

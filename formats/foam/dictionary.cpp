@@ -172,6 +172,8 @@ void Dictionary::add(Entry entry) {
         for (const Entry& inner : entry.dictionary->entries())
             merged->add(inner);
         entry.dictionary = std::move(merged);
+        entry.earlier = std::move(found->earlier);
+        entry.earlier.push_back(found->place);
     }
     *found = std::move(entry);
 }

@@ -58,6 +58,7 @@ struct Entry {
     std::vector<Value> values;
     std::shared_ptr<const Dictionary> dictionary; // of `key { ... }`, else empty
     Place place;
+    std::vector<Place> earlier; // of the dictionaries that were merged into this one
 
     /// The only value. Throws InputError when there are more or none.
     const Value& value() const;

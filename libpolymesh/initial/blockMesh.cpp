@@ -7,6 +7,7 @@
 #include "libpolymesh/base/parallel.h"
 #include "libpolymesh/initial/blockNumbering.h"
 #include "libpolymesh/initial/mergePatches.h"
+#include "libpolymesh/initial/stitchParts.h"
 #include "libpolymesh/mesh/validate.h"
 
 #include <algorithm>
@@ -311,8 +312,11 @@ PolyMesh blockMesh(const BlockMeshDescription& description) {
     checkBlocks(description);
     const BlockTopology topology = blockTopology(description);
     PolyMesh mesh;
+    std::vector<MeshPart> parts;
     {
         BlockNumbering numbering = numberPoints(description, topology);
+        for (const BlockPart& part : description.parts)
+            parts.push_back({numbering.firstCell[index(part.firstBlock)], part.where});
         const FaceCollector collector(description, topology, numbering);
         collector.addInternal(countBoundary(description, topology), mesh);
         addPatches(description, topology, collector, mesh);
@@ -326,6 +330,7 @@ PolyMesh blockMesh(const BlockMeshDescription& description) {
     }
     for (const PatchPair& pair : description.mergePairs)
         mergePatches(mesh, pair);
+    if (parts.size() > 1) stitchParts(mesh, parts);
     return mesh;
 }
 

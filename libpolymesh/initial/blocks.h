@@ -55,6 +55,12 @@ struct PatchPair {
     std::string where; // "file:line", for messages
 };
 
+/// Blocks that are described together, up to the first block of the next part.
+struct BlockPart {
+    Label firstBlock = 0;
+    std::string where; // "file:line", for messages
+};
+
 struct BlockMeshDescription {
     std::vector<Vec3> vertices; // times scale: [m]
     double scale = 1;
@@ -64,6 +70,7 @@ struct BlockMeshDescription {
     std::vector<BlockPatch> patches;
     Patch defaultPatch{"defaultFaces", "empty", 0, 0, {}}; // of sides without a patch
     std::vector<PatchPair> mergePairs;
+    std::vector<BlockPart> parts; // when there are several: they are stitched, see stitchParts.h
 };
 
 /// The mesh of a description, as OpenFOAM's blockMesh makes it: points and cells are numbered
@@ -71,7 +78,8 @@ struct BlockMeshDescription {
 /// Patches come in the order given, then the default patch if any side is left over.
 /// Requires: vertex labels in range, at least one cell in each direction, positive gradings.
 /// Throws InputError that begins with the place: a block that is inside out, sides with different
-/// numbers of cells or different points, a patch side that is no side of a block, or is inside.
+/// numbers of cells or different points, a patch side that is no side of a block, or is inside;
+/// parts that overlap or miss each other.
 /// Cost: linear, in parallel.
 PolyMesh blockMesh(const BlockMeshDescription& description);
 

@@ -3,6 +3,7 @@
 #include "libpolymesh/initial/mergePatches.h"
 
 #include "libpolymesh/base/error.h"
+#include "libpolymesh/initial/joinFaces.h"
 #include "libpolymesh/surface/boxTree.h"
 
 #include <algorithm>
@@ -80,19 +81,19 @@ sortedPoints(const PolyMesh& mesh, Label face, const std::vector<Label>& merged)
 }
 
 /// The faces of master and slave that are one, in pairs.
-std::vector<std::pair<Label, Label>> matchingFaces(const PolyMesh& mesh,
-                                                   const Patch& master,
-                                                   const PatchPair& pair,
-                                                   const std::vector<Label>& merged) {
+std::vector<FacePair> matchingFaces(const PolyMesh& mesh,
+                                    const Patch& master,
+                                    const PatchPair& pair,
+                                    const std::vector<Label>& merged) {
     const Patch& slave = findPatch(mesh, pair.slave, pair.where);
     std::map<std::vector<Label>, Label> masterFaces;
     for (Label f = master.start; f < master.start + master.size; ++f)
         masterFaces[sortedPoints(mesh, f, merged)] = f;
-    std::vector<std::pair<Label, Label>> result;
+    std::vector<FacePair> result;
     for (Label f = slave.start; f < slave.start + slave.size; ++f) {
         const auto found = masterFaces.find(sortedPoints(mesh, f, merged));
         if (found == masterFaces.end()) continue;
-        result.emplace_back(found->second, f);
+        result.push_back({found->second, f});
         masterFaces.erase(found);
     }
     require(toLabel(result.size()) == std::min(master.size, slave.size),
@@ -104,52 +105,6 @@ std::vector<std::pair<Label, Label>> matchingFaces(const PolyMesh& mesh,
     return result;
 }
 
-/// A face of the new mesh: an old one, between these cells.
-struct NewFace {
-    Label owner = 0;
-    Label neighbour = 0;
-    Label old = 0;
-
-    // NOLINTNEXTLINE(modernize-use-nullptr): what the compiler makes of it
-    auto operator<=>(const NewFace&) const = default;
-};
-
-std::vector<NewFace> internalFaces(const PolyMesh& mesh,
-                                   const std::vector<std::pair<Label, Label>>& matching) {
-    std::vector<NewFace> faces;
-    faces.reserve(mesh.neighbour.size() + matching.size());
-    for (Label f = 0; f < mesh.internalFaceCount(); ++f)
-        faces.push_back({mesh.owner[index(f)], mesh.neighbour[index(f)], f});
-    for (const auto& [a, b] : matching) {
-        // The face of the lower cell: its normal points to the other one.
-        const bool aFirst = mesh.owner[index(a)] < mesh.owner[index(b)];
-        faces.push_back(
-            {mesh.owner[index(aFirst ? a : b)], mesh.owner[index(aFirst ? b : a)], aFirst ? a : b});
-    }
-    std::ranges::sort(faces);
-    return faces;
-}
-
-void removeUnusedPoints(PolyMesh& mesh, std::vector<Label>& merged) {
-    std::vector<Label> numbers(mesh.points.size());
-    std::size_t kept = 0;
-    for (std::size_t p = 0; p < mesh.points.size(); ++p) {
-        if (index(merged[p]) != p) continue;
-        mesh.points[kept] = mesh.points[p];
-        numbers[p] = toLabel(kept++);
-    }
-    mesh.points.resize(kept);
-    for (Label& p : merged)
-        p = numbers[index(p)];
-}
-
-void addFace(const PolyMesh& from, Label face, const std::vector<Label>& merged, PolyMesh& to) {
-    for (const Label p : from.faces[face])
-        to.faces.values.push_back(merged[index(p)]);
-    to.faces.offsets.push_back(toLabel(to.faces.values.size()));
-    to.owner.push_back(from.owner[index(face)]);
-}
-
 } // namespace
 
 void mergePatches(PolyMesh& mesh, const PatchPair& pair) {
@@ -157,30 +112,8 @@ void mergePatches(PolyMesh& mesh, const PatchPair& pair) {
     const Patch& slave = findPatch(mesh, pair.slave, pair.where);
     require(&master != &slave, "{}: patch {} is paired with itself", pair.where, pair.master);
     std::vector<Label> merged = mergedPoints(mesh, master, slave);
-    const auto matching = matchingFaces(mesh, master, pair, merged);
-    std::vector<bool> isGone(mesh.owner.size(), false);
-    for (const auto& [a, b] : matching)
-        isGone[index(a)] = isGone[index(b)] = true;
-    removeUnusedPoints(mesh, merged);
-    PolyMesh result;
-    for (const NewFace& face : internalFaces(mesh, matching)) {
-        addFace(mesh, face.old, merged, result);
-        result.neighbour.push_back(face.neighbour);
-    }
-    for (Patch patch : mesh.patches) {
-        const Label first = patch.start;
-        const Label last = patch.start + patch.size;
-        patch.start = toLabel(result.owner.size());
-        for (Label f = first; f < last; ++f)
-            if (!isGone[index(f)]) addFace(mesh, f, merged, result);
-        patch.size = toLabel(result.owner.size()) - patch.start;
-        const bool isPaired = patch.name == pair.master || patch.name == pair.slave;
-        if (patch.size > 0 || !isPaired) result.patches.push_back(std::move(patch));
-    }
-    result.points = std::move(mesh.points);
-    result.cellZones = std::move(mesh.cellZones);
-    result.cellCount = mesh.cellCount;
-    mesh = std::move(result);
+    const std::vector<FacePair> matching = matchingFaces(mesh, master, pair, merged);
+    joinFaces(mesh, std::move(merged), matching);
 }
 
 } // namespace polymesh

@@ -5,6 +5,7 @@
 #include "libpolymesh/base/parallel.h"
 #include "libpolymesh/mesh/boundingBox.h"
 #include "libpolymesh/mesh/cellGeometry.h"
+#include "libpolymesh/mesh/valences.h"
 #include "libpolymesh/surface/features.h"
 #include "libpolymesh/surface/measure.h"
 
@@ -49,11 +50,35 @@ void reportAdjust(ToolRun& tool, const TrimRun& run) {
                  a.refused);
     else
         tool.say("adjusted   {} nodes moved away from the surface; {} refused", a.away, a.refused);
+    if (run.options.adjust.how == Adjust::avoid)
+        tool.say("           edges near feature edges: {} before, {} now; faces near corners: {} "
+                 "before, {} now",
+                 a.closeBefore.edges,
+                 a.closeAfter.edges,
+                 a.closeBefore.faces,
+                 a.closeAfter.faces);
     tool.report["adjusted"] = {{"corners", a.corners},
                                {"edges", a.edges},
                                {"faces", a.faces},
                                {"away", a.away},
                                {"refused", a.refused}};
+    if (run.options.adjust.how != Adjust::avoid) return;
+    tool.report["closeEdges"] = {a.closeBefore.edges, a.closeAfter.edges};
+    tool.report["closeFaces"] = {a.closeBefore.faces, a.closeAfter.faces};
+}
+
+/// How many nodes of the cells at the surface are trivalent: each of these is one hexahedron for
+/// mpsSplit.
+void reportNodes(ToolRun& tool, const TrimRun& run) {
+    const PolyMesh& mesh = run.trimmed.mesh;
+    const std::size_t first = mesh.patches.size() - run.surface.regionNames.size();
+    const Label firstFace = first < mesh.patches.size() ? mesh.patches[first].start : 0;
+    const ValenceCounts nodes = countValences(mesh, firstFace);
+    tool.say("nodes      of cells at the surface: {:.2f} % have three edges, {} have more",
+             100 * nodes.trivalentShare(),
+             nodes.more);
+    tool.report["trivalentNodes"] = nodes.trivalent;
+    tool.report["nodesOfMoreEdges"] = nodes.more;
 }
 
 /// Corners of the surface's features, and which of them the mesh has, bit for bit.
@@ -160,6 +185,7 @@ InitialMesh describe(const PolyMesh& mesh) {
 void reportTrim(ToolRun& tool, const TrimRun& run) {
     reportAdjust(tool, run);
     reportCells(tool, run);
+    reportNodes(tool, run);
     reportFeatures(tool, run);
     reportSize(tool, run);
     reportZones(tool, run.initial);

@@ -37,13 +37,16 @@ const std::vector<Option> options{
     {"adjust",
      "HOW",
      "nodes near the surface: none (default) stay; project: go onto it, corners and feature edges "
-     "first; repel: go away from it"},
+     "first; repel: go away from it; avoid: as repel, and edges keep off its feature edges, faces "
+     "off its corners"},
     {"adjustDistance", "F", "how near, fraction of the shortest edge at the node; default 0.3"}};
 
 AdjustOptions adjustOptions(const Settings& settings) {
     AdjustOptions adjust;
-    const std::string how = settings.word("adjust", {"none", "project", "repel"}, "none");
-    if (how != "none") adjust.how = how == "project" ? Adjust::project : Adjust::repel;
+    const std::string how = settings.word("adjust", {"none", "project", "repel", "avoid"}, "none");
+    if (how == "project") adjust.how = Adjust::project;
+    if (how == "repel") adjust.how = Adjust::repel;
+    if (how == "avoid") adjust.how = Adjust::avoid;
     adjust.distance = settings.numberOr(adjust.distance, "adjustDistance", 0, 0.5);
     return adjust;
 }

@@ -5,6 +5,7 @@
 #include "libpolymesh/base/parallel.h"
 #include "libpolymesh/trim/adjustGuard.h"
 #include "libpolymesh/trim/adjustTargets.h"
+#include "libpolymesh/trim/avoidFeatures.h"
 #include "libpolymesh/trim/hangingNodes.h"
 
 #include <algorithm>
@@ -279,12 +280,23 @@ AdjustedNodes adjustNodes(PolyMesh& mesh,
                           const SurfaceFeatures& features,
                           const AdjustOptions& options) {
     if (options.how == Adjust::none || options.distance <= 0) return {};
-    std::vector<NodeMove> moves = findMoves(mesh, surface, features, options);
+    const SurfaceTargets targets(surface, features);
+    const bool avoids = options.how == Adjust::avoid;
+    const std::vector<NearNode> near =
+        findNearNodes(mesh, *surface.surface, farthestReach(options), avoids);
+    std::vector<NodeMove> moves = findMoves(mesh, targets, near, options);
+    CloseCounts before;
+    if (avoids) {
+        before = countClose(mesh, targets, near, options);
+        moves = avoidFeatures(mesh, targets, near, options, moves);
+    }
     const auto kept = std::erase_if(moves, [&](const NodeMove& move) {
         return std::ranges::binary_search(options.kept, move.node);
     });
     AdjustedNodes adjusted = Adjustment(mesh, std::move(moves)).run();
     adjusted.counts.refused += toLabel(kept);
+    adjusted.counts.closeBefore = before;
+    if (avoids) adjusted.counts.closeAfter = countClose(mesh, targets, near, options);
     return adjusted;
 }
 

@@ -36,7 +36,7 @@ struct AdjustedNodes {
 
 /// Moves the nodes that are nearer to the surface than a fraction of the shortest edge at them:
 /// onto it (project: onto its corners, one node each; else its feature edges; else its triangles),
-/// or to that distance from it (repel).
+/// or to that distance from it (repel; avoid, which is also for edges and faces: avoidFeatures.h).
 ///
 /// Nodes of the mesh's own boundary stay in the planes of the boundary faces round them. Nodes that
 /// hang on an edge or a face of a larger cell are not moved but keep their place on it. A move is

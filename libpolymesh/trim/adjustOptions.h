@@ -10,7 +10,8 @@
 namespace polymesh {
 
 /// What is done to nodes of the initial mesh that are near the surface.
-enum class Adjust : std::uint8_t { none, project, repel };
+/// avoid: as repel, and edges of the mesh keep away from feature edges, faces from corners.
+enum class Adjust : std::uint8_t { none, project, repel, avoid };
 
 struct AdjustOptions {
     Adjust how = Adjust::none;
@@ -21,12 +22,20 @@ struct AdjustOptions {
 /// Where a node was moved to; the first is the most important.
 enum class AdjustTarget : std::uint8_t { corner, edge, face, away };
 
+/// Passages that make short edges where the surface cuts the mesh.
+struct CloseCounts {
+    Label edges = 0; // of the mesh, near feature edges of the surface
+    Label faces = 0; // of the mesh, near corners of the surface
+};
+
 struct AdjustCounts {
-    Label corners = 0; // nodes moved onto corners of the surface
-    Label edges = 0;   // onto its feature edges
-    Label faces = 0;   // onto its triangles
-    Label away = 0;    // away from it
-    Label refused = 0; // left where they were for the sake of a cell
+    Label corners = 0;       // nodes moved onto corners of the surface
+    Label edges = 0;         // onto its feature edges
+    Label faces = 0;         // onto its triangles
+    Label away = 0;          // away from it
+    Label refused = 0;       // left where they were for the sake of a cell
+    CloseCounts closeBefore; // with avoid only
+    CloseCounts closeAfter;
 };
 
 } // namespace polymesh

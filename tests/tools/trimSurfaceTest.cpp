@@ -164,6 +164,12 @@ TEST(TrimSurface, adjustsNodesAndSaysHowMany) {
     ASSERT_EQ(box.trim("-adjust repel -adjustDistance 0.2").status, 0);
     EXPECT_GT(box.report()["adjusted"]["away"], 0);
     box.restoreMesh();
+    const ProgramResult avoided = box.trim("-adjust avoid");
+    ASSERT_EQ(avoided.status, 0) << avoided.err;
+    EXPECT_NE(avoided.out.find("edges near feature edges: "), std::string::npos) << avoided.out;
+    EXPECT_NE(avoided.out.find("% have three edges"), std::string::npos) << avoided.out;
+    EXPECT_GE(box.report()["closeEdges"][0], box.report()["closeEdges"][1]);
+    EXPECT_GT(box.report()["trivalentNodes"], 0);
     ASSERT_EQ(box.trim("-adjust project -adjustDistance 0.01").status, 0);
     EXPECT_EQ(box.report()["adjusted"]["faces"], 0);
 }

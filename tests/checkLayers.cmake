@@ -10,6 +10,7 @@ set(upTo_quality ${upTo_surface} quality)
 foreach(top IN ITEMS initial trim mps) # beside each other: none knows the others
   set(upTo_${top} ${upTo_quality} ${top})
 endforeach()
+set(upTo_refine ${upTo_initial} refine)
 set(upTo_shapeSplit ${upTo_mps} shapeSplit)
 set(upTo_reference ${upTo_surface} reference) # foreign meshers; only tools may include it
 
@@ -47,6 +48,8 @@ function(check_file file allowed)
       string(COMPARE EQUAL "${file}" "libpolymesh/base/parallel.h" ok)
     elseif(include MATCHES "<tetgen")
       string(REGEX MATCH "^libpolymesh/reference/" ok "${file}")
+    elseif(include MATCHES "<(p4est|p8est|sc|mpi)")
+      string(REGEX MATCH "^libpolymesh/refine/.*\\.cpp$" ok "${file}")
     elseif(include MATCHES "<CGAL/")
       string(REGEX MATCH "\\.cpp$" ok "${file}") # slow to compile: never in a header
     else()

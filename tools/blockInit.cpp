@@ -10,6 +10,7 @@
 #include "libpolymesh/initial/cartesian.h"
 #include "libpolymesh/initial/flatSides.h"
 #include "tools/blockInitBlocks.h"
+#include "tools/blockRefine.h"
 
 #include <cmath>
 #include <limits>
@@ -18,7 +19,7 @@ namespace polymesh::tools {
 
 namespace {
 
-const std::vector<Option> options{
+const std::vector<Option> ownOptions{
     surfaceOption("put the box round this surface"),
     {"cellSize", "H", "edge length of the cells round the surface [m]"},
     {"margin",
@@ -27,6 +28,12 @@ const std::vector<Option> options{
      "shifted so that grid planes keep clear of flat sides of the surface"},
     {"box", "CORNERS", "two corners [m]: \"(x0 y0 z0) (x1 y1 z1)\""},
     {"cells", "COUNTS", "cells of the box in x, y and z: \"(nx ny nz)\""}};
+
+std::vector<Option> allOptions() {
+    std::vector<Option> options = ownOptions;
+    options.insert(options.end(), refineOptions().begin(), refineOptions().end());
+    return options;
+}
 
 /// Whether -surface and -cellSize, rather than -box and -cells, say what to mesh. The dictionary
 /// may hold one pair and the command line the other, which then wins.
@@ -143,6 +150,8 @@ ExitCode run(ToolRun& tool) {
     if (!blocks.empty()) return runBlocks(tool, blocks);
     const CartesianBox box =
         isRoundSurface(tool.settings) ? boxRoundSurface(tool) : boxGiven(tool.settings);
+    if (const auto refinement = refinementOf(tool, tool.dictionary))
+        return runRefine(tool, hexCells(box), *refinement);
     const CartesianMesh mesh(box);
     tool.clock.start("write mesh");
     write(tool, mesh);
@@ -159,10 +168,10 @@ Tool thisTool() {
         "makes the initial mesh of hexahedra: a box divided into cubes or bricks; graded boxes, "
         "cylinders, spheres and extruded sheets, stitched where they touch (cartesian, cylinder, "
         "sphere, extrude and parts in system/blockInitDict); or the blocks of "
-        "system/blockMeshDict, as OpenFOAM's blockMesh does",
-        options,
+        "system/blockMeshDict, as OpenFOAM's blockMesh does. Boxes are refined where wanted",
+        allOptions(),
         run,
-        {"cartesian", "cylinder", "extrude", "parts", "sphere"},
+        {"cartesian", "cylinder", "extrude", "parts", "refinement", "sphere"},
         {},
         isBlockDict};
 }

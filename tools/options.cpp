@@ -155,19 +155,22 @@ Vec3 Settings::vector(const std::string& name) const {
     return {v[0], v[1], v[2]};
 }
 
+std::vector<double> Settings::numbers(const std::string& name) const {
+    std::vector<double> values;
+    for (const std::string& word : splitWords(text(name)))
+        values.push_back(parseNumber(word, place(name)));
+    return values;
+}
+
 std::vector<double> Settings::numbers(const std::string& name, std::size_t count) const {
-    const std::vector<std::string> words = splitWords(text(name));
-    require(words.size() == count,
+    const std::size_t found = splitWords(text(name)).size();
+    require(found == count,
             "{}: '{}': expected {} numbers, found {}",
             place(name),
             text(name),
             count,
-            words.size());
-    std::vector<double> values;
-    values.reserve(words.size());
-    for (const std::string& word : words)
-        values.push_back(parseNumber(word, place(name)));
-    return values;
+            found);
+    return numbers(name);
 }
 
 std::string Settings::word(const std::string& name,

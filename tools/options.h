@@ -76,6 +76,9 @@ public:
     /// Three finite numbers: "(1 2 3)" or "1 2 3".
     Vec3 vector(const std::string& name) const;
 
+    /// Finite numbers, as many as there are; parentheses may group them in any way.
+    std::vector<double> numbers(const std::string& name) const;
+
     /// `count` finite numbers; parentheses may group them in any way: "(0 0 0) (1 1 1)".
     std::vector<double> numbers(const std::string& name, std::size_t count) const;
 

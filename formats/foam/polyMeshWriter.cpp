@@ -173,9 +173,32 @@ void PolyMeshWriter::writeZones(ZoneKind kind, std::span<const Zone> zones) cons
     });
 }
 
+void PolyMeshWriter::writeLabelList(const std::string& object,
+                                    std::span<const Label> labels) const {
+    writeFile(header("labelList", object), format_.compress, [&](OutputFile& file) {
+        writeLabels(file, format_.format, labels);
+    });
+}
+
+void PolyMeshWriter::writeUniformScalar(const std::string& object,
+                                        const std::string& dimensions,
+                                        double value) const {
+    constexpr bool compress = false; // one line
+    writeFile(header("uniformDimensionedScalarField", object), compress, [&](OutputFile& file) {
+        file.write(fmt::format("dimensions      {};\n\nvalue           {};\n", dimensions, value));
+    });
+}
+
 void writePolyMesh(const PolyMesh& mesh,
                    const fs::path& polyMeshDirectory,
                    const WriteFormat& format) {
+    writePolyMesh(mesh, polyMeshDirectory, format, [](const PolyMeshWriter&) {});
+}
+
+void writePolyMesh(const PolyMesh& mesh,
+                   const fs::path& polyMeshDirectory,
+                   const WriteFormat& format,
+                   const std::function<void(const PolyMeshWriter&)>& writeMore) {
     const MeshCounts counts{
         mesh.pointCount(), mesh.cellCount, mesh.faceCount(), mesh.internalFaceCount()};
     PolyMeshWriter writer(polyMeshDirectory, format, counts);
@@ -190,6 +213,7 @@ void writePolyMesh(const PolyMesh& mesh,
     writer.writeZones(ZoneKind::point, mesh.pointZones);
     writer.writeZones(ZoneKind::face, mesh.faceZones);
     writer.writeZones(ZoneKind::cell, mesh.cellZones);
+    writeMore(writer);
     writer.commit();
 }
 

@@ -45,6 +45,14 @@ public:
     /// Writes nothing when there are no zones.
     void writeZones(ZoneKind kind, std::span<const Zone> zones) const;
 
+    /// A list with a value a cell, point or face, such as cellLevel.
+    void writeLabelList(const std::string& object, std::span<const Label> labels) const;
+
+    /// One number with dimensions, such as level0Edge.
+    void writeUniformScalar(const std::string& object,
+                            const std::string& dimensions,
+                            double value) const;
+
     /// Puts the new mesh in place of the old one.
     void commit() { replacement_.commit(); }
 
@@ -59,5 +67,11 @@ private:
     MeshCounts counts_;
     DirectoryReplacement replacement_;
 };
+
+/// As writePolyMesh of polyMeshIo.h; `writeMore` writes further files into the same directory.
+void writePolyMesh(const PolyMesh& mesh,
+                   const std::filesystem::path& polyMeshDirectory,
+                   const WriteFormat& format,
+                   const std::function<void(const PolyMeshWriter&)>& writeMore);
 
 } // namespace polymesh::foam

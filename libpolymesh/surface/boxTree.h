@@ -41,10 +41,11 @@ public:
     }
 
     /// The least squared distance from `p` that distance2(item) gives, for an item that is at least
-    /// as far as its box. Calls distance2 for the items that can be the nearest.
+    /// as far as its box. Calls distance2 for the items that can be the nearest and nearer than
+    /// sqrt(`below2`).
     template<class Distance2>
-    void searchNearest(const Vec3& p, Distance2&& distance2) const {
-        double best = Box::inf;
+    void searchNearest(const Vec3& p, Distance2&& distance2, double below2 = Box::inf) const {
+        double best = below2;
         Stack stack;
         if (!nodes_.empty()) stack.push(0);
         while (!stack.isEmpty()) {

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: The polymesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "libpolymesh/refine/octant.h"
+
+#include <span>
+#include <vector>
+
+namespace polymesh {
+
+/// The cells of a refined mesh: tree by tree, in each along its curve.
+/// Laws: (1) first has an entry a tree and one more, ascending; (2) the codes of a tree ascend.
+struct Leaves {
+    std::vector<Label> first;      // the first cell of each tree
+    std::vector<OctantCode> codes; // one per cell
+
+    std::span<const OctantCode> of(Label tree) const {
+        const Label begin = first[index(tree)];
+        return {codes.data() + begin, index(first[index(tree) + 1] - begin)};
+    }
+
+    /// The cell of a tree that holds this anchor.
+    Label cellAt(Label tree, const LatticePoint& anchor) const {
+        const std::span<const OctantCode> own = of(tree);
+        if (own.size() == 1) return first[index(tree)];
+        const OctantCode last = octantCode({anchor, (1 << levelBits) - 1});
+        const auto after = std::upper_bound(own.begin(), own.end(), last);
+        return first[index(tree)] + static_cast<Label>(after - own.begin()) - 1;
+    }
+
+    int level(Label cell) const { return levelOf(codes[index(cell)]); }
+
+    Label cellCount() const { return toLabel(codes.size()); }
+};
+
+} // namespace polymesh

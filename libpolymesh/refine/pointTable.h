@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: The polymesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "libpolymesh/base/parallel.h"
+#include "libpolymesh/refine/refinedOctants.h"
+
+#include <vector>
+
+namespace polymesh {
+
+/// A point of a tree.
+using PointKey = std::uint64_t;
+
+constexpr PointKey pointKey(const LatticePoint& p) {
+    constexpr unsigned bits = latticeBits + 1;
+    return static_cast<PointKey>(p[0]) | static_cast<PointKey>(p[1]) << bits |
+           static_cast<PointKey>(p[2]) << 2 * bits;
+}
+
+constexpr LatticePoint latticePoint(PointKey key) {
+    constexpr unsigned bits = latticeBits + 1;
+    constexpr PointKey mask = (PointKey{1} << bits) - 1;
+    return {static_cast<std::int32_t>(key & mask),
+            static_cast<std::int32_t>(key >> bits & mask),
+            static_cast<std::int32_t>(key >> 2 * bits)};
+}
+
+/// How often a tree is halved until this point comes up; 0 for its corners.
+int levelOfPoint(const LatticePoint& p);
+
+/// The numbers of the points of a refined mesh. Corners of trees keep the numbers that they have
+/// in the macro-mesh; the others follow tree by tree, each with the lowest tree that has it.
+class PointTable {
+public:
+    /// Cost: n log n in the points of a tree, in parallel; 12 bytes a point and tree that has it.
+    PointTable(const MacroMesh& mesh, const TreeOctants& octants);
+
+    Label pointCount() const { return firstOwned_.back(); }
+
+    /// The number of a point of a tree, -1 when the mesh has none there.
+    Label find(Label tree, const LatticePoint& p) const;
+
+    /// Calls visit(number, tree, point) for the points that are not corners of trees, in parallel.
+    template<class Visit>
+    void forNewPoints(Visit&& visit) const {
+        parallelFor(mesh_.cellCount(), [&](Label tree) {
+            for (Label slot = keys_.offsets[index(tree)]; slot < keys_.offsets[index(tree) + 1];
+                 ++slot) {
+                const Label label = labels_[index(slot)];
+                if (label >= firstOwned_[index(tree)])
+                    visit(label, tree, latticePoint(keys_.values[index(slot)]));
+            }
+        });
+    }
+
+private:
+    void countOwned();
+    void setLabels();
+    Label labelFromOwner(Label tree, const LatticePoint& p) const;
+    Label slotOf(Label tree, const LatticePoint& p) const;
+
+    const MacroMesh& mesh_;
+    Rows<PointKey> keys_;           // of each tree, ascending, its corners left out
+    std::vector<Label> labels_;     // of each key
+    std::vector<Label> firstOwned_; // the first number of each tree's own points, and the count
+};
+
+} // namespace polymesh

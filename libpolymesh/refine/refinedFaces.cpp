@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: The polymesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "libpolymesh/refine/refinedFaces.h"
+
+#include <optional>
+
+namespace polymesh {
+namespace {
+
+LatticePoint middle(const LatticePoint& a, const LatticePoint& b) {
+    return {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2};
+}
+
+/// The octant of the same size across a side, its place in the tree there; empty on the boundary.
+struct Across {
+    Label tree = -1;
+    std::optional<Passage> passage; // when it is another tree
+
+    Octant placed(const Octant& moved) const { return passage ? passage->octant(moved) : moved; }
+};
+
+Across across(const MacroMesh& mesh, Label tree, const Octant& moved, std::size_t side) {
+    const std::int32_t at = moved.anchor[side / 2];
+    if (at >= 0 && at < latticeSize) return {tree, std::nullopt};
+    const Label other = mesh.neighbour(tree, side);
+    if (other < 0) return {};
+    return {other, Passage(mesh, tree, side)};
+}
+
+Octant shifted(Octant octant, std::size_t side) {
+    octant.anchor[side / 2] += side % 2 == 1 ? octant.size() : -octant.size();
+    return octant;
+}
+
+/// The quarter of an octant's side at the k-th corner of its loop, as the octant half as large that
+/// lies there inside.
+Octant quarter(const Octant& octant, std::size_t side, std::size_t k) {
+    return octant.child(sideLoops[side][k]);
+}
+
+} // namespace
+
+/// What a cell touches across a side, or a quarter of it.
+struct RefinedFaces::Contact {
+    static constexpr std::size_t whole = 4;
+    Label neighbour = -1;
+    std::size_t side = 0;
+    std::size_t part = whole; // or the corner of the side's loop at which the quarter is
+};
+
+/// In the order of the neighbours.
+class RefinedFaces::Contacts {
+public:
+    void add(const Contact& contact) {
+        std::size_t at = count_++;
+        for (; at > 0 && contacts_[at - 1].neighbour > contact.neighbour; --at)
+            contacts_[at] = contacts_[at - 1];
+        contacts_[at] = contact;
+    }
+
+    std::span<const Contact> all() const { return {contacts_.data(), count_}; }
+
+private:
+    std::array<Contact, 24> contacts_;
+    std::size_t count_ = 0;
+};
+
+void RefinedFaces::addContacts(Label tree,
+                               const Octant& leaf,
+                               std::size_t side,
+                               Contacts& contacts) const {
+    const Octant moved = shifted(leaf, side);
+    const Label cell = leaves_.cellAt(tree, leaf.anchor);
+    const Across there = across(mesh_, tree, moved, side);
+    if (there.tree < 0) return;
+    const Label neighbour = leaves_.cellAt(there.tree, there.placed(moved).anchor);
+    if (leaves_.level(neighbour) <= leaf.level) {
+        if (neighbour > cell) contacts.add({neighbour, side, Contact::whole});
+        return;
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+        const Octant outside = shifted(quarter(leaf, side, k), side);
+        const Label fine = leaves_.cellAt(there.tree, there.placed(outside).anchor);
+        if (fine > cell) contacts.add({fine, side, k});
+    }
+}
+
+void RefinedFaces::addWhole(Label tree,
+                            const Octant& leaf,
+                            std::size_t side,
+                            FaceList& faces) const {
+    const bool mayBeHalved = octants_.highest[index(tree)] > leaf.level;
+    const std::array<std::size_t, 4>& loop = sideLoops[side];
+    for (std::size_t k = 0; k < 4; ++k) {
+        const LatticePoint corner = leaf.corner(loop[k]);
+        faces.points.values.push_back(points_.find(tree, corner));
+        if (!mayBeHalved) continue;
+        const Label between = points_.find(tree, middle(corner, leaf.corner(loop[(k + 1) % 4])));
+        if (between >= 0) faces.points.values.push_back(between);
+    }
+    faces.points.offsets.push_back(toLabel(faces.points.values.size()));
+}
+
+void RefinedFaces::addQuarter(Label tree,
+                              const Octant& leaf,
+                              const Contact& contact,
+                              FaceList& faces) const {
+    const std::array<std::size_t, 4>& loop = sideLoops[contact.side];
+    const Octant part = quarter(leaf, contact.side, contact.part);
+    for (const std::size_t corner : loop)
+        faces.points.values.push_back(points_.find(tree, part.corner(corner)));
+    faces.points.offsets.push_back(toLabel(faces.points.values.size()));
+}
+
+void RefinedFaces::addInternal(Label tree, FaceList& faces) const {
+    Label cell = leaves_.first[index(tree)];
+    for (const OctantCode code : leaves_.of(tree)) {
+        const Octant leaf = octantOf(code);
+        Contacts contacts;
+        for (std::size_t side = 0; side < 6; ++side)
+            addContacts(tree, leaf, side, contacts);
+        for (const Contact& contact : contacts.all()) {
+            faces.owner.push_back(cell);
+            faces.neighbour.push_back(contact.neighbour);
+            if (contact.part == Contact::whole)
+                addWhole(tree, leaf, contact.side, faces);
+            else
+                addQuarter(tree, leaf, contact, faces);
+        }
+        ++cell;
+    }
+}
+
+void RefinedFaces::addBoundary(const TreeSide& at, FaceList& faces) const {
+    Label cell = leaves_.first[index(at.tree)];
+    const std::size_t normal = at.side / 2;
+    for (const OctantCode code : leaves_.of(at.tree)) {
+        const Octant leaf = octantOf(code);
+        const std::int32_t outer = leaf.anchor[normal] + (at.side % 2 == 1 ? leaf.size() : 0);
+        if (outer == (at.side % 2 == 1 ? latticeSize : 0)) {
+            faces.owner.push_back(cell);
+            addWhole(at.tree, leaf, at.side, faces);
+        }
+        ++cell;
+    }
+}
+
+} // namespace polymesh

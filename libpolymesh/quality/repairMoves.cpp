@@ -451,10 +451,17 @@ std::optional<std::vector<Label>> makeMove(MeshEditor& editor, const RepairMove&
         const std::array<Label, 1> one{move.from};
         cells = withNeighbours(editor, one);
     }
+    const MeshEditor::Mark mark = editor.mark();
     const Label oldCells = editor.cellCount();
     if (!change(editor, move)) return std::nullopt;
     for (Label c = oldCells; c < editor.cellCount(); ++c)
         cells.push_back(c);
+    // What a move drops on the way (points, flaps) can change cells further off.
+    const std::vector<Label> reshaped = editor.reshapedSince(mark);
+    cells.insert(cells.end(), reshaped.begin(), reshaped.end());
+    std::ranges::sort(cells);
+    const auto repeated = std::ranges::unique(cells);
+    cells.erase(repeated.begin(), repeated.end());
     std::erase_if(cells, [&](Label c) { return editor.cell(c).isRemoved() || editor.isFrozen(c); });
     return cells;
 }

@@ -18,7 +18,7 @@ namespace {
 std::array<JoinLevel, CellInput::lastLevel + 1> joinLevels(const Fidelity& fidelity) {
     constexpr double any = 4;
     constexpr JoinLevel everything{-2, any};
-    if (fidelity.deviation <= 0) {
+    if (fidelity.isExact) {
         constexpr JoinLevel flat{-0.5, any};
         return {flat, flat, flat, flat, everything};
     }
@@ -47,8 +47,8 @@ public:
                  fidelity.isCorner,
                  joinLevels(fidelity),
                  edgeOfIntervals(cut.arrangement)},
-          cellSizes_(fidelity.cellSizes),
-          deviation_(fidelity.deviation),
+          isExact_(fidelity.isExact),
+          tolerances_(fidelity.tolerances),
           loops_(loops),
           kept_(cut.arrangement, loops.isNeeded),
           levels_(pieces.triangle.size(), 0),
@@ -83,14 +83,12 @@ private:
             if (input_.arrangement.isPierce(point)) kept_.keep(point);
     }
 
-    double toleranceOf(Label c) const { return deviation_ * cellSizes_[index(c)]; }
-
     void keepOnFace(Label f) {
         double tolerance = Box::inf;
         for (const Label c : input_.probe.faceCells[index(f)])
-            if (c >= 0) tolerance = std::min(tolerance, toleranceOf(c));
+            if (c >= 0) tolerance = std::min(tolerance, tolerances_[index(c)]);
         // Points still free at deviation 0 lie between exactly coplanar triangles.
-        if (deviation_ <= 0) tolerance = Box::inf;
+        if (isExact_) tolerance = Box::inf;
         for (Label k = loops_.offsets[index(f)]; k < loops_.offsets[index(f) + 1]; ++k) {
             const auto polygon = loops_.polygons[k];
             if (std::ranges::all_of(polygon, kept_)) continue;
@@ -132,8 +130,8 @@ private:
     /// Raises levels where a cell's faces are bad; true when there was something to raise.
     bool raiseBadFaces(Label c, CellGroups& groups) {
         groups.build(input_, c, levels_);
-        groups.reduce(input_, toleranceOf(c), kept_);
-        groups.checkFaces(input_, loops_, deviation_ > 0 ? toleranceOf(c) : Box::inf, kept_);
+        groups.reduce(input_, tolerances_[index(c)], kept_);
+        groups.checkFaces(input_, loops_, isExact_ ? Box::inf : tolerances_[index(c)], kept_);
         return groups.raiseBad();
     }
 
@@ -163,7 +161,7 @@ private:
     Label collectCell(Label c, CellGroups& groups, BoundaryPolygons& part) {
         if (!isCut(c)) return 0;
         groups.build(input_, c, levels_);
-        groups.reduce(input_, toleranceOf(c), kept_);
+        groups.reduce(input_, tolerances_[index(c)], kept_);
         for (const CellGroups::Face& face : groups.faces()) {
             part.polygons.add(std::span<const Label>(face.points.data(), face.points.size()));
             part.region.push_back(face.region);
@@ -207,8 +205,8 @@ private:
     }
 
     CellInput input_;
-    std::span<const double> cellSizes_;
-    double deviation_;
+    bool isExact_;
+    std::span<const double> tolerances_;
     FaceLoops& loops_;
     KeptPoints kept_;
     std::vector<std::uint8_t> levels_;  // per piece

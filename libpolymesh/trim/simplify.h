@@ -12,14 +12,13 @@ namespace polymesh {
 
 /// How much of the surface a cell keeps.
 struct Fidelity {
-    /// Largest distance between the surface and what is kept of it, as a fraction of the cell size;
-    /// 0 keeps all that is not exactly flat.
-    double deviation = 0;
+    bool isExact = false; // keeps all that is not exactly flat
+    /// Largest distance between the surface and what is kept of it in each probed cell [m].
+    std::span<const double> tolerances;
     /// Per surface edge, see edgeSharpness.
     std::vector<double> sharpness;
-    std::vector<char> isCorner;        // per surface point; corners are kept always
-    double featureAngle = 0;           // [rad] sharper edges are kept always
-    std::span<const double> cellSizes; // of probed cells [m]
+    std::vector<char> isCorner; // per surface point; corners are kept always
+    double featureAngle = 0;    // [rad] sharper edges are kept always
 };
 
 /// The surface in each cell as polygons: the boundary faces to be.

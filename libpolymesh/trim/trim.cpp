@@ -3,35 +3,21 @@
 #include "libpolymesh/trim/trim.h"
 
 #include "libpolymesh/base/error.h"
-#include "libpolymesh/base/parallel.h"
 #include "libpolymesh/quality/cellTopology.h"
 #include "libpolymesh/quality/cleanUp.h"
 #include "libpolymesh/quality/collapsePoints.h"
 #include "libpolymesh/quality/editQuality.h"
 #include "libpolymesh/quality/meshEditor.h"
 #include "libpolymesh/quality/removeZeroSize.h"
-#include "libpolymesh/surface/check.h"
 #include "libpolymesh/surface/features.h"
 #include "libpolymesh/surface/triangleBoxes.h"
 #include "libpolymesh/trim/adjustNodes.h"
-#include "libpolymesh/trim/arrangement.h"
 #include "libpolymesh/trim/assemble.h"
-#include "libpolymesh/trim/coincident.h"
-#include "libpolymesh/trim/dropOutside.h"
-#include "libpolymesh/trim/editPart.h"
-#include "libpolymesh/trim/farCells.h"
+#include "libpolymesh/trim/cutCells.h"
 #include "libpolymesh/trim/flatFlaps.h"
-#include "libpolymesh/trim/loops.h"
-#include "libpolymesh/trim/nodes.h"
-#include "libpolymesh/trim/pieces.h"
-#include "libpolymesh/trim/settleNodes.h"
-#include "libpolymesh/trim/sharpness.h"
-#include "libpolymesh/trim/simplify.h"
-#include "libpolymesh/trim/touching.h"
-#include "libpolymesh/trim/trimmedCells.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -42,27 +28,6 @@ namespace {
 void turnInsideOut(TriSurface& surface) {
     for (auto& triangle : surface.triangles)
         std::swap(triangle[1], triangle[2]);
-}
-
-/// Edge length of the cube with the volume of each probed cell [m].
-std::vector<double> probedCellSizes(const Probe& probe) {
-    std::vector<double> sizes(probe.cells.size());
-    parallelFor(probe.cellCount(), [&](Label c) {
-        double volume = 0;
-        const Label firstNode = probe.faceNodes[probe.cellFaces[c][0]][0];
-        const Vec3& apex = probe.nodePoints[index(firstNode)];
-        for (const Label f : probe.cellFaces[c]) {
-            const auto nodes = probe.faceNodes[f];
-            double cone = 0;
-            for (std::size_t i = 1; i + 1 < nodes.size(); ++i)
-                cone += dot(probe.nodePoints[index(nodes[0])] - apex,
-                            cross(probe.nodePoints[index(nodes[i])] - apex,
-                                  probe.nodePoints[index(nodes[i + 1])] - apex));
-            volume += probe.faceCells[index(f)][0] == c ? cone : -cone;
-        }
-        sizes[index(c)] = std::cbrt(std::max(volume / 6, 0.0));
-    });
-    return sizes;
 }
 
 void refuseBroken(Label cells) {
@@ -115,39 +80,6 @@ void count(const EditPart& part, const PolyMesh& result, TrimSummary& summary) {
     summary.untouchedCells = result.cellCount - cut;
 }
 
-/// Throws where the surface intersects itself: what has failed then is its fault.
-void refuseSelfIntersections(const TriSurface& surface) {
-    const SelfIntersections found = findSelfIntersections(surface, 1);
-    if (found.count == 0) return;
-    const std::vector<Box> boxes = triangleBoxes(surface);
-    const Box& a = boxes[index(found.first[0][0])];
-    const Box& b = boxes[index(found.first[0][1])];
-    Vec3 place;
-    for (int axis = 0; axis < 3; ++axis)
-        place[axis] = (std::max(a.min[axis], b.min[axis]) + std::min(a.max[axis], b.max[axis])) / 2;
-    throw InputError(
-        fmt::format("the surface intersects itself near ({} {} {}) ({} pairs of triangles do), so "
-                    "that cells cannot be closed; repair the surface (unite overlapping parts) and "
-                    "try again",
-                    place.x,
-                    place.y,
-                    place.z,
-                    found.count));
-}
-
-TrimmedCells divideOrRefuse(const TriSurface& surface,
-                            const Probe& probe,
-                            const PointPositions& positions,
-                            const FaceLoops& loops,
-                            const BoundaryPolygons& boundary) {
-    try {
-        return divideCells(probe, positions, loops, boundary);
-    } catch (const WorkError&) {
-        refuseSelfIntersections(surface);
-        throw;
-    }
-}
-
 /// A trimmed mesh, and boxes round the cells that came out bad, wider by half a cell [m].
 struct Cut {
     Trimmed trimmed;
@@ -175,111 +107,101 @@ std::vector<Box> findBadPlaces(EditPart& part, bool isOpen) {
     return places;
 }
 
-/// The pieces of the cells as the surface cuts them, before clean-up.
-struct Pieces {
+/// The pieces of the cells after clean-up.
+struct CleanPieces {
     EditPart part;
-    Label holedFaces = 0;
-    bool mayTouch = false; // the surface may lie on faces of the mesh
+    TrimSummary summary;
 };
 
-/// Finds the pieces; cells that are far outside go from the mesh.
-Pieces cutCells(PolyMesh& mesh,
-                const CuttingSurface& cutter,
-                const SurfaceFeatures& features,
-                const AdjustedNodes& adjusted,
-                const TrimOptions& options) {
-    const TriSurface& surface = *cutter.surface;
-    options.onStage("candidates");
-    const int shift = options.keep == Keep::outside ? 1 : 0;
-    Probe probe = findProbe(mesh, surface, cutter.triangleBoxes);
-    const std::vector<SettledNode> settled = probedNodes(probe, adjusted.settled);
-    std::vector<std::int8_t> cellWinding = windFarCells(mesh, probe, cutter, shift);
-    dropOutside(mesh, probe, cellWinding);
-    addFacets(cutter.triangleBoxes, probe);
+/// Makes the pieces and cleans them up. Where that fails (WorkError) and `openPart` is given, the
+/// part as it is then goes there.
+CleanPieces cleanPieces(PolyMesh& mesh,
+                        MeshCut& cut,
+                        const FeaturedSurface& surface,
+                        const TrimOptions& options,
+                        std::span<const FidelityPlace> places,
+                        EditPart* openPart = nullptr) {
+    Pieces pieces = makePieces(mesh, cut, surface, options, places);
+    CleanPieces clean{std::move(pieces.part), {}};
+    clean.summary.holedFaces = pieces.holedFaces;
+    try {
+        if (pieces.mayTouch) tidyTouchingFaces(clean.part, clean.summary);
+        tidy(clean.part, options, clean.summary);
+    } catch (const WorkError&) {
+        if (openPart) *openPart = std::move(clean.part);
+        throw;
+    }
+    return clean;
+}
 
-    options.onStage("edges");
-    Arrangement arrangement;
-    crossEdges(probe, cutter, arrangement);
-    windNodes(probe, cutter, shift, arrangement);
-    checkFarCells(mesh, probe, cellWinding, arrangement);
-
-    options.onStage("faces");
-    pierceFacets(probe, cutter, arrangement);
-    locateVertices(mesh, probe, cutter, arrangement);
-    PointPositions positions = placePoints(probe, cutter, arrangement);
-    FaceLoops loops = walkFaces(probe, arrangement, positions);
-
-    options.onStage("cells");
-    const CellPieces pieces = cutTriangles(probe, cutter, arrangement);
-
-    options.onStage("simplify");
-    const std::vector<double> cellSizes = probedCellSizes(probe);
-    const Fidelity fidelity{options.deviation,
-                            edgeSharpness(surface, cutter.edges, features),
-                            features.isCorner,
-                            options.featureAngle,
-                            cellSizes};
-    const BoundaryPolygons boundary =
-        simplify({probe, cutter, arrangement}, positions, pieces, fidelity, loops);
-    const TrimmedCells cells = divideOrRefuse(surface, probe, positions, loops, boundary);
-
-    options.onStage("clean up");
-    const auto joined = pointsAtNodes(probe, cutter, features, {arrangement, positions}, settled);
-    placeSettled(settled, mesh, probe, positions);
-    const TrimResult found{mesh,
-                           probe,
-                           cutter,
-                           arrangement,
-                           positions,
-                           loops,
-                           boundary,
-                           cells,
-                           touchedRegions(mesh, probe, cutter, positions, loops),
-                           cellWinding,
-                           cellSizes,
-                           settled,
-                           options.minEdge};
-    return {
-        buildEditPart(found, features, mergeCoincident(probe, cutter, arrangement, joined)),
-        loops.holeCount,
-        mayTouch(probe, cutter, arrangement),
-    };
+/// Makes the pieces again where clean-up has left a few bad cells, with more and with less of the
+/// surface round these: the cells come out otherwise there, and nowhere else.
+void tryOtherDeviations(PolyMesh& mesh,
+                        MeshCut& cut,
+                        const FeaturedSurface& surface,
+                        TrimOptions options,
+                        CleanPieces& best) {
+    constexpr std::array<double, 4> factors{0.3, 2, 0.1, 4};
+    constexpr Label mostBadCells = 20; // more: the mesh is too coarse for the surface
+    std::vector<FidelityPlace> places;
+    for (const double factor : factors) {
+        const Label bad = best.summary.badCells;
+        if (bad == 0 || bad > mostBadCells) return;
+        if (places.empty()) options.onStage("try again");
+        options.onStage = [](const std::string&) {};
+        std::vector<FidelityPlace> tried = places;
+        for (const Box& box : findBadPlaces(best.part, false))
+            tried.push_back({box, factor});
+        try {
+            CleanPieces other = cleanPieces(mesh, cut, surface, options, tried);
+            if (other.summary.badCells >= bad) continue;
+            best = std::move(other);
+            places = std::move(tried);
+        } catch (const WorkError&) {
+            continue; // what there is has no such fault
+        }
+    }
 }
 
 /// Trims a mesh whose nodes have been adjusted.
 Cut cutMesh(PolyMesh mesh,
-            const CuttingSurface& cutter,
-            const SurfaceFeatures& features,
+            const FeaturedSurface& surface,
             const AdjustedNodes& adjusted,
             const TrimOptions& options) {
-    Cut cut;
-    Trimmed& result = cut.trimmed;
-    const TriSurface& surface = *cutter.surface;
-    auto [part, holedFaces, mayTouch] = cutCells(mesh, cutter, features, adjusted, options);
-    result.summary.adjusted = adjusted.counts;
-    result.summary.holedFaces = holedFaces;
+    MeshCut meshCut = findCut(mesh, surface, adjusted, options);
+    EditPart openPart;
+    CleanPieces clean;
     try {
-        if (mayTouch) tidyTouchingFaces(part, result.summary);
-        tidy(part, options, result.summary);
+        clean = cleanPieces(mesh, meshCut, surface, options, {}, &openPart);
     } catch (const WorkError&) {
         if (adjusted.moved.empty()) throw;
-        return {{}, findBadPlaces(part, true), true};
+        return {{}, findBadPlaces(openPart, true), true};
     }
+    if (meshCut.settled.empty() && options.deviation > 0 && options.mendsCells)
+        tryOtherDeviations(mesh, meshCut, surface, options, clean);
+    meshCut = {};
+
+    Cut cut;
+    Trimmed& result = cut.trimmed;
+    EditPart& part = clean.part;
+    result.summary = clean.summary;
+    result.summary.adjusted = adjusted.counts;
     if (!adjusted.moved.empty() && result.summary.badCells > 0)
         cut.badPlaces = findBadPlaces(part, false);
 
     options.onStage("assemble");
     std::vector<std::string> types = options.regionTypes;
-    types.resize(surface.regionNames.size(), "wall");
-    result.mesh = assemble(mesh, part, surface.regionNames, types);
+    const std::vector<std::string>& regions = surface.cutter.surface->regionNames;
+    types.resize(regions.size(), "wall");
+    result.mesh = assemble(mesh, part, regions, types);
     require(result.mesh.cellCount > 0,
             "nothing is left: the surface and the mesh have no volume in common on the side to "
             "keep; check the surface's unit and place, and -keep");
     count(part, result.mesh, result.summary);
     result.summary.featureEdges =
-        toLabel(static_cast<std::size_t>(std::ranges::count(features.isFeature, char{1})));
+        toLabel(static_cast<std::size_t>(std::ranges::count(surface.features.isFeature, char{1})));
     result.summary.featureCorners =
-        toLabel(static_cast<std::size_t>(std::ranges::count(features.isCorner, char{1})));
+        toLabel(static_cast<std::size_t>(std::ranges::count(surface.features.isCorner, char{1})));
     return cut;
 }
 
@@ -297,23 +219,21 @@ bool keepNodes(const AdjustedNodes& adjusted,
 
 /// Adjusts nodes and trims. Where that leaves bad cells it is done again without the
 /// nodes round these, and the best result counts; if there is none, no node is moved.
-Trimmed trimAdjusted(const PolyMesh& mesh,
-                     const CuttingSurface& cutter,
-                     const SurfaceFeatures& features,
-                     TrimOptions options) {
+Trimmed trimAdjusted(const PolyMesh& mesh, const FeaturedSurface& surface, TrimOptions options) {
     constexpr int mostTries = 4;
     std::optional<Trimmed> best;
     for (int i = 0; i < mostTries; ++i) {
         PolyMesh moved = mesh;
-        const AdjustedNodes adjusted = adjustNodes(moved, cutter, features, options.adjust);
-        Cut cut = cutMesh(std::move(moved), cutter, features, adjusted, options);
+        const AdjustedNodes adjusted =
+            adjustNodes(moved, surface.cutter, surface.features, options.adjust);
+        Cut cut = cutMesh(std::move(moved), surface, adjusted, options);
         if (!cut.isOpen && (!best || cut.trimmed.summary.badCells < best->summary.badCells))
             best = std::move(cut.trimmed);
         if (!keepNodes(adjusted, cut.badPlaces, options.adjust.kept)) break;
         if (i == 0) options.onStage("try again");
         options.onStage = [](const std::string&) {};
     }
-    return best ? std::move(*best) : cutMesh(mesh, cutter, features, {}, options).trimmed;
+    return best ? std::move(*best) : cutMesh(mesh, surface, {}, options).trimmed;
 }
 
 } // namespace
@@ -324,9 +244,9 @@ Trimmed trim(PolyMesh mesh, TriSurface surface, const TrimOptions& options) {
     const CuttingSurface cutter{&surface, pairEdges(surface), triangleBoxes(surface)};
     const SurfaceFeatures features = findFeatures(surface, cutter.edges, options.featureAngle);
     if (options.adjust.how == Adjust::none)
-        return cutMesh(std::move(mesh), cutter, features, {}, options).trimmed;
+        return cutMesh(std::move(mesh), {cutter, features}, {}, options).trimmed;
     options.onStage("adjust");
-    return trimAdjusted(mesh, cutter, features, options);
+    return trimAdjusted(mesh, {cutter, features}, options);
 }
 
 } // namespace polymesh

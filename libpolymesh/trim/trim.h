@@ -19,10 +19,10 @@ struct TrimOptions {
     Keep keep = Keep::inside;
     /// Largest distance between the surface and the faces that stand for it inside a cell, as a
     /// fraction of the cell size; 0: exact, every triangle's part is kept.
-    double deviation = 0.05;
+    double deviation = 0.1;
     double featureAngle = 0.5236; // [rad] sharper edges of the surface are edges of the mesh
     double minEdge = 0.05;        // shorter edges are collapsed, fraction of the cell size; 0: off
-    double minVolume = 0.05;      // smaller cells are merged, fraction of the cell; 0: off
+    double minVolume = 0.01;      // smaller cells are merged, fraction of the cell; 0: off
     AdjustOptions adjust;         // what is done to nodes near the surface beforehand
     bool mendsCells = true;       // split concave cells, repair what checkMesh would fail
     /// Patch type of each region; empty: wall for all.

@@ -7,6 +7,7 @@
 #include "libpolymesh/initial/cartesian.h"
 #include "libpolymesh/mesh/cellGeometry.h"
 #include "libpolymesh/mesh/validate.h"
+#include "libpolymesh/quality/checks.h"
 #include "libpolymesh/surface/measure.h"
 #include "libpolymesh/surface/orient.h"
 #include "libpolymesh/trim/trim.h"
@@ -20,6 +21,7 @@
 #include <cstdlib>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace polymesh::test {
@@ -30,22 +32,28 @@ namespace fs = std::filesystem;
 const fs::path examples = "/usr/share/doc/openfoam-examples/examples/resources/geometry";
 const fs::path cgalData = "/usr/share/doc/libcgal-dev/data.tar.gz";
 
+/// A surface of the package libcgal-demo; nothing where that is not installed.
+std::optional<TriSurface> cgalSurface(const std::string& name) {
+    const TemporaryDirectory folder;
+    const std::string file = "data/meshes/" + name + ".off";
+    const std::string command =
+        "tar xzf " + cgalData.string() + " -C " + folder.path().string() + " " + file;
+    if (!fs::exists(cgalData) || std::system(command.c_str()) != 0) return std::nullopt;
+    TriSurface surface = readSurface(folder.path() / file);
+    orientSurface(surface);
+    return surface;
+}
+
 /// Surfaces by name, of the packages openfoam-examples and libcgal-demo; none where they are not
 /// installed.
 std::map<std::string, TriSurface> realSurfaces() {
     std::map<std::string, TriSurface> surfaces;
-    if (fs::exists(examples / "flange.stl.gz"))
+    if (fs::exists(examples / "flange.stl.gz")) {
         surfaces["flange"] = readSurface(examples / "flange.stl.gz");
-    const TemporaryDirectory folder;
-    const std::string command = "tar xzf " + cgalData.string() + " -C " + folder.path().string() +
-                                " data/meshes/elephant.off data/meshes/couplingdown.off "
-                                "data/meshes/joint.off";
-    if (fs::exists(cgalData) && std::system(command.c_str()) == 0)
-        for (const char* name : {"elephant", "couplingdown", "joint"})
-            surfaces[name] =
-                readSurface(folder.path() / "data/meshes" / (std::string(name) + ".off"));
-    for (auto& [name, surface] : surfaces)
-        orientSurface(surface);
+        orientSurface(surfaces["flange"]);
+    }
+    for (const char* name : {"elephant", "couplingdown", "joint"})
+        if (auto surface = cgalSurface(name)) surfaces[name] = std::move(*surface);
     return surfaces;
 }
 
@@ -114,8 +122,16 @@ TEST(TrimLaws, defaultOptionsGiveValidMeshesNearThePart) {
             const PolyMesh mesh = boxOf(surface, 1500);
             const double part = measure(surface).volume;
             const double wanted = keep == Keep::inside ? part : volumeOf(mesh) - part;
-            EXPECT_NEAR(volumeOf(trimmed(mesh, surface, options)), wanted, 0.02 * part) << name;
+            EXPECT_NEAR(volumeOf(trimmed(mesh, surface, options)), wanted, 0.04 * part) << name;
         }
+}
+
+TEST(TrimLaws, badCellsAreThoseThatCheckMeshFails) {
+    const auto surface = cgalSurface("pinion");
+    if (!surface) GTEST_SKIP() << "libcgal-demo is not installed";
+    // A repair here once made a cell bad that is no neighbour of the cells repaired.
+    const Trimmed result = trim(boxOf(*surface, 60000), *surface, {});
+    EXPECT_EQ(result.summary.badCells == 0, checkMesh(result.mesh, {}).isOk());
 }
 
 /// Turning mesh and surface together changes nothing: all their points are in general position.

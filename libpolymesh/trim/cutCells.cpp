@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: The polymesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "libpolymesh/trim/cutCells.h"
+
+#include "libpolymesh/base/error.h"
+#include "libpolymesh/base/parallel.h"
+#include "libpolymesh/surface/check.h"
+#include "libpolymesh/surface/triangleBoxes.h"
+#include "libpolymesh/trim/coincident.h"
+#include "libpolymesh/trim/dropOutside.h"
+#include "libpolymesh/trim/farCells.h"
+#include "libpolymesh/trim/loops.h"
+#include "libpolymesh/trim/nodes.h"
+#include "libpolymesh/trim/pieces.h"
+#include "libpolymesh/trim/settleNodes.h"
+#include "libpolymesh/trim/sharpness.h"
+#include "libpolymesh/trim/simplify.h"
+#include "libpolymesh/trim/touching.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace polymesh {
+
+namespace {
+
+/// Edge length of the cube with the volume of each probed cell [m].
+std::vector<double> probedCellSizes(const Probe& probe) {
+    std::vector<double> sizes(probe.cells.size());
+    parallelFor(probe.cellCount(), [&](Label c) {
+        double volume = 0;
+        const Label firstNode = probe.faceNodes[probe.cellFaces[c][0]][0];
+        const Vec3& apex = probe.nodePoints[index(firstNode)];
+        for (const Label f : probe.cellFaces[c]) {
+            const auto nodes = probe.faceNodes[f];
+            double cone = 0;
+            for (std::size_t i = 1; i + 1 < nodes.size(); ++i)
+                cone += dot(probe.nodePoints[index(nodes[0])] - apex,
+                            cross(probe.nodePoints[index(nodes[i])] - apex,
+                                  probe.nodePoints[index(nodes[i + 1])] - apex));
+            volume += probe.faceCells[index(f)][0] == c ? cone : -cone;
+        }
+        sizes[index(c)] = std::cbrt(std::max(volume / 6, 0.0));
+    });
+    return sizes;
+}
+
+/// The mean of the points of a probed cell's faces.
+Vec3 middleOf(const Probe& probe, Label c) {
+    Vec3 sum;
+    double count = 0;
+    for (const Label f : probe.cellFaces[c])
+        for (const Label node : probe.faceNodes[f]) {
+            sum += probe.nodePoints[index(node)];
+            ++count;
+        }
+    return sum / count;
+}
+
+/// How far what is kept of the surface may be from it in each probed cell [m].
+std::vector<double> tolerancesOf(const Probe& probe,
+                                 std::span<const double> cellSizes,
+                                 double deviation,
+                                 std::span<const FidelityPlace> places) {
+    std::vector<double> tolerances(cellSizes.size());
+    parallelFor(probe.cellCount(), [&](Label c) {
+        double& tolerance = tolerances[index(c)];
+        tolerance = deviation * cellSizes[index(c)];
+        if (places.empty()) return;
+        const Vec3 middle = middleOf(probe, c);
+        for (std::size_t i = places.size(); i-- > 0;) {
+            if (!places[i].box.contains(middle)) continue;
+            tolerance *= places[i].factor;
+            return;
+        }
+    });
+    return tolerances;
+}
+
+/// Throws where the surface intersects itself: what has failed then is its fault.
+void refuseSelfIntersections(const TriSurface& surface) {
+    const SelfIntersections found = findSelfIntersections(surface, 1);
+    if (found.count == 0) return;
+    const std::vector<Box> boxes = triangleBoxes(surface);
+    const Box& a = boxes[index(found.first[0][0])];
+    const Box& b = boxes[index(found.first[0][1])];
+    Vec3 place;
+    for (int axis = 0; axis < 3; ++axis)
+        place[axis] = (std::max(a.min[axis], b.min[axis]) + std::min(a.max[axis], b.max[axis])) / 2;
+    throw InputError(
+        fmt::format("the surface intersects itself near ({} {} {}) ({} pairs of triangles do), so "
+                    "that cells cannot be closed; repair the surface (unite overlapping parts) and "
+                    "try again",
+                    place.x,
+                    place.y,
+                    place.z,
+                    found.count));
+}
+
+TrimmedCells divideOrRefuse(const TriSurface& surface,
+                            const Probe& probe,
+                            const PointPositions& positions,
+                            const FaceLoops& loops,
+                            const BoundaryPolygons& boundary) {
+    try {
+        return divideCells(probe, positions, loops, boundary);
+    } catch (const WorkError&) {
+        refuseSelfIntersections(surface);
+        throw;
+    }
+}
+
+} // namespace
+
+MeshCut findCut(PolyMesh& mesh,
+                const FeaturedSurface& surface,
+                const AdjustedNodes& adjusted,
+                const TrimOptions& options) {
+    const CuttingSurface& cutter = surface.cutter;
+    MeshCut cut;
+    options.onStage("candidates");
+    const int shift = options.keep == Keep::outside ? 1 : 0;
+    Probe& probe = cut.probe;
+    probe = findProbe(mesh, *cutter.surface, cutter.triangleBoxes);
+    cut.settled = probedNodes(probe, adjusted.settled);
+    cut.cellWinding = windFarCells(mesh, probe, cutter, shift);
+    dropOutside(mesh, probe, cut.cellWinding);
+    addFacets(cutter.triangleBoxes, probe);
+
+    options.onStage("edges");
+    crossEdges(probe, cutter, cut.arrangement);
+    windNodes(probe, cutter, shift, cut.arrangement);
+    checkFarCells(mesh, probe, cut.cellWinding, cut.arrangement);
+
+    options.onStage("faces");
+    pierceFacets(probe, cutter, cut.arrangement);
+    locateVertices(mesh, probe, cutter, cut.arrangement);
+    cut.positions = placePoints(probe, cutter, cut.arrangement);
+    return cut;
+}
+
+Pieces makePieces(PolyMesh& mesh,
+                  MeshCut& cut,
+                  const FeaturedSurface& featured,
+                  const TrimOptions& options,
+                  std::span<const FidelityPlace> places) {
+    const auto& [cutter, features] = featured;
+    auto& [probe, settled, cellWinding, arrangement, positions] = cut;
+    const TriSurface& surface = *cutter.surface;
+    FaceLoops loops = walkFaces(probe, arrangement, positions);
+
+    options.onStage("cells");
+    const CellPieces pieces = cutTriangles(probe, cutter, arrangement);
+
+    options.onStage("simplify");
+    const std::vector<double> cellSizes = probedCellSizes(probe);
+    const std::vector<double> tolerances =
+        tolerancesOf(probe, cellSizes, options.deviation, places);
+    const Fidelity fidelity{options.deviation <= 0,
+                            tolerances,
+                            edgeSharpness(surface, cutter.edges, features),
+                            features.isCorner,
+                            options.featureAngle};
+    const BoundaryPolygons boundary =
+        simplify({probe, cutter, arrangement}, positions, pieces, fidelity, loops);
+    const TrimmedCells cells = divideOrRefuse(surface, probe, positions, loops, boundary);
+
+    options.onStage("clean up");
+    const auto joined = pointsAtNodes(probe, cutter, features, {arrangement, positions}, settled);
+    placeSettled(settled, mesh, probe, positions);
+    const TrimResult found{mesh,
+                           probe,
+                           cutter,
+                           arrangement,
+                           positions,
+                           loops,
+                           boundary,
+                           cells,
+                           touchedRegions(mesh, probe, cutter, positions, loops),
+                           cellWinding,
+                           cellSizes,
+                           settled,
+                           options.minEdge};
+    return {
+        buildEditPart(found, features, mergeCoincident(probe, cutter, arrangement, joined)),
+        loops.holeCount,
+        mayTouch(probe, cutter, arrangement),
+    };
+}
+
+} // namespace polymesh

@@ -37,25 +37,25 @@ std::vector<InvertedCell> invertedOf(const PolyMesh& mesh, const SubdivisionPlan
 }
 
 /// What was done so that parts are not inverted.
-void reportHelp(ToolRun& tool, const MpsFigures& figures) {
+void reportHelp(ToolRun& tool, const DivisibleCounts& counts) {
     tool.say(
         "helped     {} cells that would have had an inverted part: {} faces split, {} cells "
         "cut, {} of them from a new point, {} joined with a neighbour; {} more cells; {} points "
         "moved",
-        figures.firstInverted,
-        figures.splitFaces,
-        figures.conedCells + figures.cutCells,
-        figures.conedCells,
-        figures.joinedCells,
-        figures.newCells,
-        figures.movedPoints);
-    tool.report["helpedCells"] = figures.firstInverted;
-    tool.report["splitFaces"] = figures.splitFaces;
-    tool.report["newPointCells"] = figures.conedCells;
-    tool.report["concaveCuts"] = figures.cutCells;
-    tool.report["joinedCells"] = figures.joinedCells;
-    tool.report["newCells"] = figures.newCells;
-    tool.report["movedPoints"] = figures.movedPoints;
+        counts.firstInverted,
+        counts.splitFaces,
+        counts.conedCells + counts.cutCells,
+        counts.conedCells,
+        counts.joinedCells,
+        counts.newCells,
+        counts.movedPoints);
+    tool.report["helpedCells"] = counts.firstInverted;
+    tool.report["splitFaces"] = counts.splitFaces;
+    tool.report["newPointCells"] = counts.conedCells;
+    tool.report["concaveCuts"] = counts.cutCells;
+    tool.report["joinedCells"] = counts.joinedCells;
+    tool.report["newCells"] = counts.newCells;
+    tool.report["movedPoints"] = counts.movedPoints;
 }
 
 void reportInverted(ToolRun& tool, const MpsFigures& figures) {
@@ -104,13 +104,7 @@ UndividedMesh describe(const PolyMesh& mesh) {
 MpsFigures figuresOf(const UndividedMesh& undivided, const Divisible& divisible) {
     const SubdivisionPlan& plan = divisible.plan;
     MpsFigures figures{undivided,
-                       divisible.firstInverted,
-                       divisible.splitFaces,
-                       divisible.conedCells,
-                       divisible.cutCells,
-                       divisible.joinedCells,
-                       divisible.newCells,
-                       divisible.movedPoints,
+                       divisible.counts,
                        demandedCounts(divisible.mesh),
                        {plan.hexahedra, plan.pyramids},
                        invertedOf(divisible.mesh, plan),
@@ -201,7 +195,7 @@ bool reportSplit(ToolRun& tool, const MpsFigures& figures, const PolyMesh& resul
     tool.report["dividedCells"] = figures.undivided.cells;
     tool.report["volume"] = volume;
     tool.report["volumeError"] = volume / figures.undivided.volume - 1;
-    reportHelp(tool, figures);
+    reportHelp(tool, figures.counts);
     reportInverted(tool, figures);
     return figures.inverted.empty();
 }

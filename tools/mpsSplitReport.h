@@ -26,13 +26,7 @@ struct UndividedMesh {
 /// What the report needs of the mesh and the plan, which the division uses up.
 struct MpsFigures {
     UndividedMesh undivided;
-    Label firstInverted = 0;
-    Label splitFaces = 0;
-    Label conedCells = 0;
-    Label cutCells = 0;
-    Label joinedCells = 0;
-    Label newCells = 0;
-    Label movedPoints = 0;
+    DivisibleCounts counts;
     SubdivisionCounts demanded;
     SubdivisionCounts planned;
     std::vector<InvertedCell> inverted; // by Jacobian, the worst first

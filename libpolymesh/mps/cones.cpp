@@ -37,7 +37,7 @@ public:
 
     /// A point that sees all faces.
     std::optional<Vec3> centre() const {
-        constexpr Search deep{.moves = 100, .margins = 12};
+        constexpr Search deep{.least = 1e-6};
         const Vec3 start = plan_.points[index(plan_.layout.firstCell + cell_)];
         return pointWithin(halfSpaces(), start, reach(start), deep);
     }

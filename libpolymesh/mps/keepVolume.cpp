@@ -64,38 +64,20 @@ double excess(const PolyMesh& mesh, const SubdivisionPlan& plan, const Group& gr
     return held - group.target;
 }
 
-/// The groups of a patch: as many faces for each undivided one as have its area together; all in
-/// one when that does not come out even.
-void addGroups(const PolyMesh& mesh,
-               const SubdivisionPlan& plan,
-               const Patch& patch,
-               std::span<const FaceGeometry> undivided,
-               std::vector<Group>& groups) {
-    constexpr double same = 1e-7;
-    const std::size_t firstGroup = groups.size();
-    Label face = patch.start;
-    const Label end = patch.start + patch.size;
-    for (std::size_t i = 0; i < undivided.size() && face < end; ++i) {
-        const FaceGeometry& whole = undivided[i];
-        Group group{face, face, {}, whole.centre};
-        double magnitude = 0;
-        const Label left = end - static_cast<Label>(undivided.size() - i - 1);
-        do {
-            const Vec3 own = areaOf(mesh, plan, face++);
-            group.area += own;
-            magnitude += norm(own);
-        } while (face < left && norm(group.area - whole.area) > same * magnitude);
-        group.last = face;
-        groups.push_back(group);
+/// A group for each undivided face.
+std::vector<Group> groupsOf(const PolyMesh& mesh,
+                            const SubdivisionPlan& plan,
+                            std::span<const Label> from,
+                            std::span<const FaceGeometry> undivided) {
+    std::vector<Group> groups;
+    for (std::size_t i = 0; i < from.size(); ++i) {
+        const Label face = mesh.internalFaceCount() + toLabel(i);
+        if (i == 0 || from[i] != from[i - 1])
+            groups.push_back({face, face, {}, undivided[index(from[i])].centre});
+        groups.back().last = face + 1;
+        groups.back().area += areaOf(mesh, plan, face);
     }
-    if (face == end) return;
-    groups.resize(firstGroup);
-    Group all{patch.start, end, {}, undivided.front().centre};
-    for (const FaceGeometry& whole : undivided) {
-        all.area += whole.area;
-        all.target += dot(whole.area, whole.centre - all.apex);
-    }
-    groups.push_back(all);
+    return groups;
 }
 
 void shift(const Group& group, const Vec3& by, SubdivisionPlan& plan) {
@@ -176,19 +158,11 @@ std::vector<FaceGeometry> boundaryGeometry(const PolyMesh& mesh) {
 }
 
 Label keepVolume(const PolyMesh& mesh,
-                 std::span<const Label> undividedSizes,
-                 const std::vector<FaceGeometry>& undivided,
+                 std::span<const Label> from,
+                 std::span<const FaceGeometry> undivided,
                  SubdivisionPlan& plan) {
     constexpr int rounds = 4;
-    std::vector<Group> groups;
-    std::size_t first = 0;
-    for (std::size_t p = 0; p < mesh.patches.size(); ++p) {
-        const std::size_t size = index(undividedSizes[p]);
-        if (size > 0)
-            addGroups(
-                mesh, plan, mesh.patches[p], std::span(undivided).subspan(first, size), groups);
-        first += size;
-    }
+    std::vector<Group> groups = groupsOf(mesh, plan, from, undivided);
     double missing = fitAll(mesh, groups, plan);
     for (int round = 1; round < rounds && missing != 0; ++round) {
         double area = 0;

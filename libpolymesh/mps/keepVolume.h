@@ -15,14 +15,14 @@ std::vector<FaceGeometry> boundaryGeometry(const PolyMesh& mesh);
 
 /// A warped boundary face encloses another volume when it is divided. Moves the points of boundary
 /// faces along their normals so that the divided boundary holds what the undivided one held, face
-/// by face: `undivided` has the faces that those of the mesh are, or are pieces of, in the same
-/// order, `undividedSizes` of them in each patch. Where a part would become inverted the face's
-/// points go back, and others take over what is missing. Flat faces stay. Returns the number of
-/// faces that have moved. Cost: linear in the boundary; parallel. The same bytes for any number of
-/// threads.
+/// by face: `undivided` has the faces that those of the mesh are, or are pieces of; `from` tells,
+/// for each boundary face of the mesh, which; pieces follow each other. Where a part would become
+/// inverted the face's points go back, and others take over what is missing. Flat faces stay.
+/// Returns the number of faces that have moved. Cost: linear in the boundary; parallel. The same
+/// bytes for any number of threads.
 Label keepVolume(const PolyMesh& mesh,
-                 std::span<const Label> undividedSizes,
-                 const std::vector<FaceGeometry>& undivided,
+                 std::span<const Label> from,
+                 std::span<const FaceGeometry> undivided,
                  SubdivisionPlan& plan);
 
 } // namespace polymesh

@@ -21,7 +21,8 @@ std::vector<CellCones> loopCutsOf(const PolyMesh& mesh,
 /// edges can go along them (paper, section 3.2: new edges through concave points, then loops
 /// through those). From cell to cell across the faces that get diagonals, so that those at both
 /// ends of a reflex edge fit together; a diagonal counts for both cells of its face.
-/// Cost: about 0.5 ms a cell, one after the other.
+/// Groups of cells that are neighbours are independent of each other and searched in parallel.
+/// Cost: about 0.2 ms a cell and core.
 std::vector<FacePieces> diagonalsOf(const PolyMesh& mesh,
                                     const Bends& bends,
                                     const SubdivisionPlan& plan,

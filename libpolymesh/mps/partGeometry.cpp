@@ -14,8 +14,8 @@ namespace {
 
 using Corner = CellCorners::Corner;
 
-/// Most searches that fail do so early; they are many where cells are concave.
-constexpr Search search{.moves = 30, .margins = 7};
+/// Shallower points would make thin parts.
+constexpr Search search{.least = 3e-4};
 
 double scaled(const Vec3& a, const Vec3& b, const Vec3& c) {
     const double lengths = norm(a) * norm(b) * norm(c);
@@ -107,7 +107,7 @@ double reachOf(const PartPoints& parts, const Vec3& from) {
     return std::sqrt(reach);
 }
 
-Vec3 apexOf(const PartPoints& parts, const CellCorners::Node& node) {
+Vec3 apexOf(const PartPoints& parts, const CellCorners::Node& node, Apices which) {
     Vec3 sum = parts.at(parts.cell.corner(node.firstCorner).point) + parts.at(parts.centre());
     for (int k = 0, i = node.firstCorner; k < node.valence; ++k) {
         const Corner& c = parts.cell.corner(i);
@@ -118,8 +118,8 @@ Vec3 apexOf(const PartPoints& parts, const CellCorners::Node& node) {
     PartPoints own = parts;
     own.apices = mean;
     const auto isBad = [&](const PartCorner& corner) { return isInvertedAt(own, corner); };
-    // Two of the four pyramids of a node of valence 2 face each other: no point is right for both.
-    if (node.valence == 2 || !anyPyramidCorner(own, node, own.firstApex, isBad)) return mean[0];
+    if (which == Apices::means || !anyPyramidCorner(own, node, own.firstApex, isBad))
+        return mean[0];
     std::vector<HalfSpace> halfSpaces;
     double reach = 0;
     anyPyramidCorner(own, node, own.firstApex, [&](const PartCorner& corner) {
@@ -163,10 +163,14 @@ bool hasInvertedPart(const PartPoints& parts) {
                          [&](const PartCorner& corner) { return isInvertedAt(parts, corner); });
 }
 
-Vec3 cellPoint(const PartPoints& parts, const Vec3& start) {
+bool isNeverRight(const PartPoints& parts) {
     const auto isBad = [&](const PartCorner& corner) { return isInvertedAt(parts, corner); };
-    for (const CellCorners::Node& node : parts.cell.nodes())
-        if (node.valence == 3 && anyOuterHexCorner(parts, node, isBad)) return start;
+    return std::ranges::any_of(parts.cell.nodes(), [&](const CellCorners::Node& node) {
+        return node.valence == 2 || (node.valence == 3 && anyOuterHexCorner(parts, node, isBad));
+    });
+}
+
+Vec3 cellPoint(const PartPoints& parts, const Vec3& start) {
     std::vector<HalfSpace> halfSpaces;
     const auto add = [&](Label a, Label b, Label at) {
         addHalfSpace(
@@ -185,9 +189,9 @@ Vec3 cellPoint(const PartPoints& parts, const Vec3& start) {
     return pointWithin(halfSpaces, start, reachOf(parts, start), search).value_or(start);
 }
 
-void addApices(const PartPoints& parts, std::vector<Vec3>& apices) {
+void addApices(const PartPoints& parts, Apices which, std::vector<Vec3>& apices) {
     for (const CellCorners::Node& node : parts.cell.nodes())
-        if (node.valence != 3) apices.push_back(apexOf(parts, node));
+        if (node.valence != 3) apices.push_back(apexOf(parts, node, which));
 }
 
 } // namespace polymesh

@@ -61,14 +61,19 @@ bool isInverted(const Vec3& a, const Vec3& b, const Vec3& c);
 /// Whether a part of the cell is inverted at a corner.
 bool hasInvertedPart(const PartPoints& parts);
 
+/// Whether the cell has an inverted part wherever its point and the further ones are: a node of two
+/// edges, or an inverted corner at its surface.
+bool isNeverRight(const PartPoints& parts);
+
 /// A point from which the faces of the hexahedra of a cell are seen as they must be, so that no
-/// corner that it takes part in is inverted; `start` where there is none, when it is one, or when
-/// other corners are inverted.
+/// corner that it takes part in is inverted; `start` where there is none or when it is one.
 Vec3 cellPoint(const PartPoints& parts, const Vec3& start);
 
+enum class Apices { means, best };
+
 /// The further points of the cell's nodes of other valence than 3, added to `apices`: the mean of
-/// the corners of the node's 2v-hedron, or, where a pyramid would be inverted, a point from which
-/// all are right, if there is one.
-void addApices(const PartPoints& parts, std::vector<Vec3>& apices);
+/// the corners of the node's 2v-hedron, or the best: where a pyramid would be inverted with that, a
+/// point from which all are right, if there is one.
+void addApices(const PartPoints& parts, Apices which, std::vector<Vec3>& apices);
 
 } // namespace polymesh

@@ -85,9 +85,14 @@ void planCell(const PolyMesh& mesh,
     result.pyramids += corners.partCount() - hexahedra;
     const std::size_t first = result.apices.size();
     PartPoints parts{corners, plan.layout, plan.points, {}, plan.layout.firstApex, cell};
+    if (isNeverRight(parts)) {
+        addApices(parts, Apices::means, result.apices);
+        result.inverted.push_back(cell);
+        return;
+    }
     const auto place = [&] {
         result.apices.resize(first);
-        addApices(parts, result.apices);
+        addApices(parts, Apices::best, result.apices);
         parts.apices = std::span<const Vec3>(result.apices).subspan(first);
         return !hasInvertedPart(parts);
     };

@@ -24,6 +24,7 @@ using FaceTriangles = std::vector<Triangle>;
 
 /// The next step for a cell.
 struct Step {
+    bool isHopeless = false; // no cut helps
     bool splitsFaces = false;
     std::optional<StarPieces> pieces;
     Label partner = -1;
@@ -34,38 +35,39 @@ enum class Outcome { star, pieces, none };
 
 constexpr int mostPieces = 24;
 
+/// Whether the faces of the cells' neighbours are needed too.
+enum class Reach { cells, neighbours };
+
 class RemedySearch {
 public:
     RemedySearch(const PolyMesh& mesh,
                  const SubdivisionPlan& plan,
                  std::span<const Label> cells,
-                 const KeptZones& zones)
-        : mesh_(mesh), plan_(plan), zones_(zones) {
+                 Reach reach)
+        : mesh_(mesh), plan_(plan) {
         for (const Label cell : cells)
             faces_.insert(faces_.end(), plan.cellFaces[cell].begin(), plan.cellFaces[cell].end());
-        addNeighbours();
+        if (reach == Reach::neighbours) addNeighbours();
         std::ranges::sort(faces_);
         faces_.erase(std::unique(faces_.begin(), faces_.end()), faces_.end());
         findViewPoints();
         findTriangles();
     }
 
+    /// The next step of a cell that is not joined.
     Step stepOf(Label cell) const {
-        const std::vector<Label> faces(plan_.cellFaces[cell].begin(), plan_.cellFaces[cell].end());
-        const std::vector<SeenFace> seen = seenFaces(faces, {cell, -1});
-        auto pieces = cut(seen);
+        const auto faces = plan_.cellFaces[cell];
         Step step;
-        if (!pieces) step.partner = partnerOf(cell);
-        if (std::ranges::any_of(faces, [&](Label f) { return mesh_.faces.rowSize(f) > 3; }))
-            step.splitsFaces = step.partner < 0;
-        else
-            step.pieces = std::move(pieces);
+        step.pieces = cut(seenFaces(faces, {cell, -1}));
+        step.isHopeless = !step.pieces;
+        step.splitsFaces =
+            std::ranges::any_of(faces, [&](Label f) { return mesh_.faces.rowSize(f) > 3; });
+        if (step.splitsFaces) step.pieces.reset();
         return step;
     }
 
     bool isStar(Label cell) const {
-        const std::vector<Label> faces(plan_.cellFaces[cell].begin(), plan_.cellFaces[cell].end());
-        const auto pieces = cut(seenFaces(faces, {cell, -1}), false);
+        const auto pieces = cut(seenFaces(plan_.cellFaces[cell], {cell, -1}), false);
         return pieces && pieces->centres.size() == 1;
     }
 
@@ -73,6 +75,33 @@ public:
     const FaceTriangles& trianglesOf(Label face) const {
         return triangles_[static_cast<std::size_t>(std::ranges::lower_bound(faces_, face) -
                                                    faces_.begin())];
+    }
+
+    /// The neighbour with which the cell can be cut best; -1: none.
+    Label partnerOf(Label cell, const KeptZones& zones) const {
+        std::vector<Label> neighbours;
+        for (const Label face : plan_.cellFaces[cell])
+            if (mesh_.isInternal(face))
+                neighbours.push_back(mesh_.owner[index(face)] == cell ? mesh_.neighbour[index(face)]
+                                                                      : mesh_.owner[index(face)]);
+        std::ranges::sort(neighbours);
+        neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+        constexpr std::size_t mostFaces = 40;
+        std::pair<Outcome, std::size_t> bestScore{Outcome::none, 0};
+        Label chosen = -1;
+        for (const Label other : neighbours) {
+            const std::vector<SeenFace> seen = outsideOf(cell, other, zones);
+            if (seen.empty() || seen.size() > mostFaces) continue;
+            const auto pieces = cut(seen);
+            const Outcome outcome = !pieces                       ? Outcome::none
+                                    : pieces->centres.size() == 1 ? Outcome::star
+                                                                  : Outcome::pieces;
+            const std::pair score{outcome, seen.size()};
+            if (score >= bestScore) continue;
+            bestScore = score;
+            chosen = other;
+        }
+        return chosen;
     }
 
 private:
@@ -233,73 +262,62 @@ private:
         return seen;
     }
 
-    std::optional<StarPieces> cut(std::span<const SeenFace> faces, bool mayCut = true) const {
+    /// The triangles of faces with points of their own: those of the mesh that `labels` tells, then
+    /// the middles of faces.
+    struct Hull {
+        std::vector<Label> labels; // ascending
         std::vector<Vec3> points;
-        std::vector<Label> labels; // of the mesh
-        for (const SeenFace& s : faces)
-            labels.insert(labels.end(), mesh_.faces[s.face].begin(), mesh_.faces[s.face].end());
-        std::ranges::sort(labels);
-        labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
-        points.reserve(labels.size());
-        for (const Label p : labels)
-            points.push_back(mesh_.points[index(p)]);
-        const Label firstNew = toLabel(labels.size());
         std::vector<Triangle> triangles;
-        for (const SeenFace& s : faces) {
-            bool hasMiddle = false;
-            for (Triangle t : trianglesOf(s.face)) {
-                for (Label& p : t) {
-                    hasMiddle = hasMiddle || p < 0;
-                    p = p < 0 ? toLabel(points.size())
-                              : static_cast<Label>(std::ranges::lower_bound(labels, p) -
-                                                   labels.begin());
-                }
-                if (!s.isOutward) std::swap(t[1], t[2]);
-                triangles.push_back(t);
+    };
+
+    Hull hullOf(std::span<const SeenFace> faces) const {
+        Hull hull;
+        for (const SeenFace& s : faces)
+            hull.labels.insert(
+                hull.labels.end(), mesh_.faces[s.face].begin(), mesh_.faces[s.face].end());
+        std::ranges::sort(hull.labels);
+        hull.labels.erase(std::unique(hull.labels.begin(), hull.labels.end()), hull.labels.end());
+        for (const Label p : hull.labels)
+            hull.points.push_back(mesh_.points[index(p)]);
+        for (const SeenFace& s : faces)
+            addTriangles(s, hull);
+        return hull;
+    }
+
+    void addTriangles(const SeenFace& seen, Hull& hull) const {
+        const Label middle = toLabel(hull.points.size());
+        bool hasMiddle = false;
+        for (Triangle t : trianglesOf(seen.face)) {
+            for (Label& p : t) {
+                hasMiddle = hasMiddle || p < 0;
+                p = p < 0 ? middle
+                          : static_cast<Label>(std::ranges::lower_bound(hull.labels, p) -
+                                               hull.labels.begin());
             }
-            if (hasMiddle) points.push_back(middleOf(s.face));
+            if (!seen.isOutward) std::swap(t[1], t[2]);
+            hull.triangles.push_back(t);
         }
+        if (hasMiddle) hull.points.push_back(middleOf(seen.face));
+    }
+
+    std::optional<StarPieces> cut(std::span<const SeenFace> faces, bool mayCut = true) const {
+        const Hull hull = hullOf(faces);
+        const Label firstNew = toLabel(hull.labels.size());
         const auto mayJoin = [&](Label a, Label b) {
-            return a >= firstNew || b >= firstNew || !areJoined(labels[index(a)], labels[index(b)]);
+            return a >= firstNew || b >= firstNew ||
+                   !areJoined(hull.labels[index(a)], hull.labels[index(b)]);
         };
-        auto pieces = starPieces(points, triangles, mayJoin, mayCut ? mostPieces : 1);
+        auto pieces = starPieces(hull.points, hull.triangles, mayJoin, mayCut ? mostPieces : 1);
         if (!pieces) return pieces;
         for (PieceWall& wall : pieces->walls)
             for (Label& p : wall.triangle)
-                p = p < firstNew ? labels[index(p)] : -1;
+                p = p < firstNew ? hull.labels[index(p)] : -1;
         return pieces;
-    }
-
-    /// The neighbour with which the cell can be cut best; -1: none.
-    Label partnerOf(Label cell) const {
-        std::vector<Label> neighbours;
-        for (const Label face : plan_.cellFaces[cell])
-            if (mesh_.isInternal(face))
-                neighbours.push_back(mesh_.owner[index(face)] == cell ? mesh_.neighbour[index(face)]
-                                                                      : mesh_.owner[index(face)]);
-        std::ranges::sort(neighbours);
-        neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
-        constexpr std::size_t mostFaces = 40;
-        std::pair<Outcome, std::size_t> bestScore{Outcome::none, 0};
-        Label chosen = -1;
-        for (const Label other : neighbours) {
-            const std::vector<SeenFace> seen = outsideOf(cell, other);
-            if (seen.empty() || seen.size() > mostFaces) continue;
-            const auto pieces = cut(seen);
-            const Outcome outcome = !pieces                       ? Outcome::none
-                                    : pieces->centres.size() == 1 ? Outcome::star
-                                                                  : Outcome::pieces;
-            const std::pair score{outcome, seen.size()};
-            if (score >= bestScore) continue;
-            bestScore = score;
-            chosen = other;
-        }
-        return chosen;
     }
 
     /// The faces round two cells; none when joining them would leave points of no face, edges of
     /// four faces, or zones that end within a cell.
-    std::vector<SeenFace> outsideOf(Label cell, Label other) const {
+    std::vector<SeenFace> outsideOf(Label cell, Label other, const KeptZones& zones) const {
         std::vector<Label> faces;
         std::vector<Label> lost;
         for (const Label own : {cell, other})
@@ -318,11 +336,11 @@ private:
             loops.emplace_back(loop.begin(), loop.end());
             if (!s.isOutward) std::ranges::reverse(loops.back());
         }
-        if (!isClosed(loops) || !areInSameZones(cell, other)) return {};
+        if (!isClosed(loops) || !areInSameZones(cell, other, zones)) return {};
         for (const Label face : lost) {
             for (const Label p : mesh_.faces[face])
                 if (!kept.contains(p)) return {};
-            for (const Zone& zone : firstZones(mesh_.faceZones, zones_.faceZones))
+            for (const Zone& zone : firstZones(mesh_.faceZones, zones.faceZones))
                 if (std::ranges::binary_search(zone.labels, face)) return {};
         }
         return seen;
@@ -332,8 +350,8 @@ private:
         return std::span(zones).first(std::min(count, zones.size()));
     }
 
-    bool areInSameZones(Label cell, Label other) const {
-        return std::ranges::all_of(firstZones(mesh_.cellZones, zones_.cellZones),
+    bool areInSameZones(Label cell, Label other, const KeptZones& zones) const {
+        return std::ranges::all_of(firstZones(mesh_.cellZones, zones.cellZones),
                                    [&](const Zone& zone) {
                                        return std::ranges::binary_search(zone.labels, cell) ==
                                               std::ranges::binary_search(zone.labels, other);
@@ -342,7 +360,6 @@ private:
 
     const PolyMesh& mesh_;
     const SubdivisionPlan& plan_;
-    KeptZones zones_;
     std::vector<Label> faces_;             // ascending
     std::vector<FaceTriangles> triangles_; // beside faces_
     std::vector<Label> viewCells_;         // ascending
@@ -377,56 +394,92 @@ std::vector<std::pair<Label, Label>> pairsOf(std::span<const Label> cells,
     return pairs;
 }
 
+/// The steps of all cells; those that no cut helps look for a neighbour.
+std::vector<Step> stepsOf(const RemedySearch& search,
+                          const PolyMesh& mesh,
+                          const SubdivisionPlan& plan,
+                          std::span<const Label> cells,
+                          const KeptZones& zones) {
+    std::vector<Step> steps(cells.size());
+    parallelBlocks(toLabel(cells.size()), 1, [&](Label, Label i, Label) {
+        steps[index(i)] = search.stepOf(cells[index(i)]);
+    });
+    std::vector<Label> hopeless;
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        if (!steps[i].isHopeless) continue;
+        hopeless.push_back(cells[i]);
+        places.push_back(i);
+    }
+    const RemedySearch wider(mesh, plan, hopeless, Reach::neighbours);
+    parallelBlocks(toLabel(hopeless.size()), 1, [&](Label, Label i, Label) {
+        Step& step = steps[places[index(i)]];
+        step.partner = wider.partnerOf(hopeless[index(i)], zones);
+        if (step.partner >= 0) step.splitsFaces = false;
+    });
+    return steps;
+}
+
+/// The faces to split into triangles, ascending: all of the cells whose step it is, but for those
+/// that stay or are lost.
+std::vector<Label> facesToSplit(const PolyMesh& mesh,
+                                const SubdivisionPlan& plan,
+                                std::span<const Label> cells,
+                                std::span<const Step> steps,
+                                const std::set<std::pair<Label, Label>>& lost) {
+    std::vector<Label> split;
+    const auto isLost = [&](Label face) {
+        return mesh.isInternal(face) &&
+               lost.contains({mesh.owner[index(face)], mesh.neighbour[index(face)]});
+    };
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        if (!steps[i].splitsFaces) continue;
+        for (const Label face : plan.cellFaces[cells[i]])
+            if (mesh.faces.rowSize(face) > 3 && !isLost(face)) split.push_back(face);
+    }
+    std::ranges::sort(split);
+    split.erase(std::unique(split.begin(), split.end()), split.end());
+    return split;
+}
+
+/// The triangles of a face; `middle` is the label of its point if that takes part.
+FacePieces piecesFrom(Label face, const FaceTriangles& triangles, Label middle) {
+    FacePieces pieces{face, {}};
+    for (const Triangle& t : triangles) {
+        pieces.pieces.emplace_back(t.begin(), t.end());
+        std::ranges::replace(pieces.pieces.back(), -1, middle);
+    }
+    return pieces;
+}
+
 } // namespace
 
 Remedies remediesOf(const PolyMesh& mesh,
                     const SubdivisionPlan& plan,
                     std::span<const Label> cells,
                     const KeptZones& zones) {
-    const RemedySearch search(mesh, plan, cells, zones);
-    std::vector<Step> steps(cells.size());
-    parallelBlocks(toLabel(cells.size()), 8, [&](Label, Label first, Label last) {
-        for (Label i = first; i < last; ++i)
-            steps[index(i)] = search.stepOf(cells[index(i)]);
-    });
+    const RemedySearch search(mesh, plan, cells, Reach::cells);
+    const std::vector<Step> steps = stepsOf(search, mesh, plan, cells, zones);
     Remedies remedies;
     remedies.joined = pairsOf(cells, steps);
     std::set<std::pair<Label, Label>> lost;
     for (const auto& [a, b] : remedies.joined)
         lost.insert(std::minmax(a, b));
-    std::vector<Label> split;
-    for (std::size_t i = 0; i < cells.size(); ++i) {
+    for (std::size_t i = 0; i < cells.size(); ++i)
         if (steps[i].pieces) remedies.cells.push_back(conesFrom(cells[i], *steps[i].pieces));
-        if (!steps[i].splitsFaces) continue;
-        for (const Label face : plan.cellFaces[cells[i]]) {
-            const bool isLost =
-                mesh.isInternal(face) &&
-                lost.contains({mesh.owner[index(face)], mesh.neighbour[index(face)]});
-            if (!isLost && mesh.faces.rowSize(face) > 3) split.push_back(face);
-        }
-    }
-    std::ranges::sort(split);
-    split.erase(std::unique(split.begin(), split.end()), split.end());
-    for (const Label face : split) {
-        FacePieces pieces{face, {}};
+    for (const Label face : facesToSplit(mesh, plan, cells, steps, lost)) {
+        const FaceTriangles& triangles = search.trianglesOf(face);
         const Label middle = mesh.pointCount() + toLabel(remedies.points.size());
-        bool hasMiddle = false;
-        for (const Triangle& t : search.trianglesOf(face)) {
-            pieces.pieces.emplace_back(t.begin(), t.end());
-            for (Label& p : pieces.pieces.back()) {
-                hasMiddle = hasMiddle || p < 0;
-                if (p < 0) p = middle;
-            }
-        }
-        if (hasMiddle) remedies.points.push_back(plan.points[index(plan.layout.firstFace + face)]);
-        remedies.faces.push_back(std::move(pieces));
+        remedies.faces.push_back(piecesFrom(face, triangles, middle));
+        if (std::ranges::any_of(triangles, [](const Triangle& t) { return t[2] < 0; }))
+            remedies.points.push_back(plan.points[index(plan.layout.firstFace + face)]);
     }
     return remedies;
 }
 
 std::vector<Label>
 starCells(const PolyMesh& mesh, const SubdivisionPlan& plan, std::span<const Label> cells) {
-    const RemedySearch search(mesh, plan, cells, {});
+    const RemedySearch search(mesh, plan, cells, Reach::cells);
     std::vector<char> isStar(cells.size(), 0);
     parallelFor(toLabel(cells.size()),
                 [&](Label i) { isStar[index(i)] = search.isStar(cells[index(i)]) ? 1 : 0; });

@@ -25,8 +25,8 @@ struct Remedies {
     bool empty() const { return faces.empty() && cells.empty() && joined.empty(); }
 };
 
-/// How many zones, from the first, hold places together: cells on both sides of their borders are
-/// not joined. The others are sets that only follow.
+/// What holds places together: cells on both sides of the borders of so many zones, from the first,
+/// are not joined; the others are sets that only follow.
 struct KeptZones {
     std::size_t cellZones = std::numeric_limits<std::size_t>::max();
     std::size_t faceZones = std::numeric_limits<std::size_t>::max();

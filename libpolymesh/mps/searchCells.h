@@ -17,9 +17,8 @@ namespace polymesh {
 template<class Find>
 std::vector<CellCones> searchCells(std::span<const Label> cells, Find&& find) {
     std::vector<std::optional<CellCones>> found(cells.size());
-    parallelBlocks(toLabel(cells.size()), 8, [&](Label, Label first, Label last) {
-        for (Label i = first; i < last; ++i)
-            found[index(i)] = find(cells[index(i)]);
+    parallelBlocks(toLabel(cells.size()), 1, [&](Label, Label i, Label) {
+        found[index(i)] = find(cells[index(i)]);
     });
     std::vector<CellCones> result;
     for (auto& one : found)

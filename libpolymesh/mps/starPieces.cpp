@@ -181,7 +181,7 @@ private:
         for (const Facet& f : piece.facets)
             for (const Label p : f.points)
                 reach = std::max(reach, norm(at(p) - mean));
-        constexpr Search deep{.moves = 100, .margins = 12};
+        constexpr Search deep{.least = 1e-6};
         if (const auto point = pointWithin(planes, mean, reach, deep)) {
             piece.centre = *point;
             piece.unseen = isOnce(piece) ? 0 : static_cast<int>(planes.size());

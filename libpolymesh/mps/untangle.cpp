@@ -100,7 +100,7 @@ private:
     }
 
     bool move(Label point, Label cell) {
-        constexpr Search search{.moves = 20, .margins = 4};
+        constexpr Search search{.least = 7e-3};
         std::vector<HalfSpace> halfSpaces;
         double reach = std::numeric_limits<double>::max();
         for (const Label other : cellsOf(point, cell)) {

@@ -84,13 +84,7 @@ void addDemand(
     }
 }
 
-/// First any point within, so that little time is lost where there is none; then one farther in.
-std::optional<Vec3>
-pointWellWithin(const std::vector<HalfSpace>& halfSpaces, const Vec3& start, double size) {
-    const auto any = pointWithin(halfSpaces, start, 1e-3 * size, {.moves = 200, .margins = 1});
-    if (!any) return std::nullopt;
-    return pointWithin(halfSpaces, *any, size, {.moves = 60, .margins = 6});
-}
+constexpr Search wellWithin{.least = 8e-4};
 
 /// The points of a grid round the cell that are behind all faces, those farthest from the planes
 /// through the faces' centres first.
@@ -165,8 +159,8 @@ std::optional<Vec3> innerPoint(MeshEditor& editor, Label cell) {
         for (const Label f : editor.cell(cell).faces)
             addDemand(
                 editor, cell, f, editor.face(f).isBoundary() ? onBoundary : onShared, halfSpaces);
-        const auto found =
-            pointWellWithin(halfSpaces, editor.cellGeometry(cell).centre, editor.cell(cell).size);
+        const auto found = pointWithin(
+            halfSpaces, editor.cellGeometry(cell).centre, editor.cell(cell).size, wellWithin);
         if (found && seesAll(editor, cell, *found)) return found;
     }
     return gridPoint(editor, cell);
@@ -192,8 +186,8 @@ std::optional<Vec3> pointBehindFaces(MeshEditor& editor, Label cell) {
     std::vector<HalfSpace> halfSpaces;
     for (const Label f : editor.cell(cell).faces)
         addDemand(editor, cell, f, Demand::wholeFace, halfSpaces);
-    const auto found =
-        pointWellWithin(halfSpaces, editor.cellGeometry(cell).centre, editor.cell(cell).size);
+    const auto found = pointWithin(
+        halfSpaces, editor.cellGeometry(cell).centre, editor.cell(cell).size, wellWithin);
     const bool isBehindAll = found && std::ranges::all_of(editor.cell(cell).faces, [&](Label f) {
                                  return isBehind(editor, cell, f, *found);
                              });

@@ -47,7 +47,7 @@ TEST(MakeDivisible, leavesCellsThatDivideWell) {
     const PolyMesh mesh = test::box(3, 3, 3);
     const Divisible work = dividedWell(mesh);
     EXPECT_EQ(work.mesh, mesh);
-    EXPECT_EQ(work.movedPoints, 0);
+    EXPECT_EQ(work.counts.movedPoints, 0);
 }
 
 TEST(MakeDivisible, coarseCellBesideFineOnesDividesConformally) {
@@ -57,7 +57,7 @@ TEST(MakeDivisible, coarseCellBesideFineOnesDividesConformally) {
 
 TEST(MakeDivisible, concaveCellsDivideWell) {
     const Divisible work = dividedWell(test::lShapedCell());
-    EXPECT_EQ(work.firstInverted, 1);
+    EXPECT_EQ(work.counts.firstInverted, 1);
     EXPECT_GT(work.mesh.cellCount, 1);
 }
 

@@ -41,6 +41,7 @@ CleanUpCounts improve(EditMesh& mesh, const CleanUpOptions& options, std::vector
     const RepairCounts repaired = repairCells(editor);
     counts.cutCells += repaired.cuts;
     counts.repairs = repaired.merges + repaired.collapses + repaired.splits + repaired.remakes;
+    counts.work = repaired.work;
     badCells = repaired.left;
     return counts;
 }
@@ -50,6 +51,7 @@ void add(const CleanUpCounts& part, CleanUpCounts& counts) {
     counts.mergedCells += part.mergedCells;
     counts.cutCells += part.cutCells;
     counts.repairs += part.repairs;
+    counts.work += part.work;
 }
 
 /// Improves the parts side by side and adds up what was done; returns the bad cells left in them.

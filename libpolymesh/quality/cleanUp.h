@@ -4,6 +4,7 @@
 
 #include "libpolymesh/quality/meshEditor.h"
 
+#include <cstdint>
 #include <span>
 
 namespace polymesh {
@@ -23,9 +24,10 @@ struct CleanUpCounts {
     Label mergedFaces = 0;
     Label collapsedEdges = 0;
     Label mergedCells = 0;
-    Label cutCells = 0; // cuts of concave cells
-    Label repairs = 0;  // other local changes
-    Label badCells = 0; // cells that checkMesh fails, at the end
+    Label cutCells = 0;    // cuts of concave cells
+    Label repairs = 0;     // other local changes
+    Label badCells = 0;    // cells that checkMesh fails, at the end
+    std::int64_t work = 0; // on repairs, in units of WorkBudget
 };
 
 /// All of clean-up in order: what has no size goes, also with all options off (collapsePoints,

@@ -231,6 +231,7 @@ RepairCounts repairCells(MeshEditor& editor) {
     mendBySequences(editor, cells, budgetOfSequences, counts);
     remakeFailingCells(editor, cells, budget, counts);
     if (counts.remakes > 0) mendBySequences(editor, cells, budgetOfSequences, counts);
+    counts.work = budget.used() + budgetOfSequences.used();
     counts.left = stillFailing(editor, cells);
     return counts;
 }

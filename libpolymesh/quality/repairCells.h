@@ -4,6 +4,7 @@
 
 #include "libpolymesh/quality/meshEditor.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace polymesh {
@@ -16,6 +17,7 @@ struct RepairCounts {
     Label collapses = 0;     // by collapsing an edge,
     Label splits = 0;        // by cutting a face,
     Label remakes = 0;       // by making a cell into convex ones or into pyramids
+    std::int64_t work = 0;   // units of WorkBudget
     std::vector<Label> left; // cells that still fail, ascending
 };
 

@@ -14,7 +14,7 @@ namespace polymesh {
 /// mending (features smaller than its cells) each gets a fair share of what is there.
 class WorkBudget {
 public:
-    explicit WorkBudget(std::int64_t units) : left_(units) {}
+    explicit WorkBudget(std::int64_t units) : whole_(units), left_(units) {}
 
     /// Starts with a cell while `waiting` others are in the queue: it may use four times its share.
     void startCell(std::size_t waiting) {
@@ -33,7 +33,11 @@ public:
 
     bool isSpent() const { return left_ <= 0; }
 
+    /// Units used so far.
+    std::int64_t used() const { return whole_ - left_; }
+
 private:
+    std::int64_t whole_;
     std::int64_t left_;
     std::int64_t share_ = 0;
 };

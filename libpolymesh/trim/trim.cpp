@@ -57,19 +57,20 @@ void tidyTouchingFaces(EditPart& part, TrimSummary& summary) {
     summary.mergedCells += collapsed.removedCells + zero.cells;
 }
 
-/// Collapses what coincides, then what the user wants cleaned up.
-void tidy(EditPart& part, const TrimOptions& options, TrimSummary& summary) {
+/// Collapses what coincides, then what the user wants cleaned up. Returns the work on repairs.
+std::int64_t tidy(EditPart& part, const TrimOptions& options, TrimSummary& summary) {
     const CleanUpCounts counts = cleanUp(part.mesh,
                                          part.representative,
                                          {.minEdge = options.minEdge,
                                           .minVolume = options.minVolume,
                                           .mendsCells = options.mendsCells});
+    refuseBroken(counts.brokenCells);
     summary.mergedCells += counts.zeroCells + counts.mergedCells;
     summary.collapsedEdges = counts.collapsedEdges;
     summary.splitCells = counts.cutCells;
     summary.repairs = counts.repairs;
     summary.badCells = counts.badCells;
-    refuseBroken(counts.brokenCells);
+    return counts.work;
 }
 
 void count(const EditPart& part, const PolyMesh& result, TrimSummary& summary) {
@@ -111,6 +112,7 @@ std::vector<Box> findBadPlaces(EditPart& part, bool isOpen) {
 struct CleanPieces {
     EditPart part;
     TrimSummary summary;
+    std::int64_t work = 0; // on repairs, see WorkBudget
 };
 
 /// Makes the pieces and cleans them up. Where that fails (WorkError) and `openPart` is given, the
@@ -122,11 +124,11 @@ CleanPieces cleanPieces(PolyMesh& mesh,
                         std::span<const FidelityPlace> places,
                         EditPart* openPart = nullptr) {
     Pieces pieces = makePieces(mesh, cut, surface, options, places);
-    CleanPieces clean{std::move(pieces.part), {}};
+    CleanPieces clean{std::move(pieces.part), {}, 0};
     clean.summary.holedFaces = pieces.holedFaces;
     try {
         if (pieces.mayTouch) tidyTouchingFaces(clean.part, clean.summary);
-        tidy(clean.part, options, clean.summary);
+        clean.work = tidy(clean.part, options, clean.summary);
     } catch (const WorkError&) {
         if (openPart) *openPart = std::move(clean.part);
         throw;
@@ -142,11 +144,13 @@ void tryOtherDeviations(PolyMesh& mesh,
                         TrimOptions options,
                         CleanPieces& best) {
     constexpr std::array<double, 4> factors{0.3, 2, 0.1, 4};
-    constexpr Label mostBadCells = 20; // more: the mesh is too coarse for the surface
+    constexpr Label mostBadCells = 20;        // more: the mesh is too coarse for the surface
+    constexpr std::int64_t mostWork = 60000; // some two seconds
+    std::int64_t work = best.work;
     std::vector<FidelityPlace> places;
     for (const double factor : factors) {
         const Label bad = best.summary.badCells;
-        if (bad == 0 || bad > mostBadCells) return;
+        if (bad == 0 || bad > mostBadCells || work > mostWork) return;
         if (places.empty()) options.onStage("try again");
         options.onStage = [](const std::string&) {};
         std::vector<FidelityPlace> tried = places;
@@ -154,6 +158,7 @@ void tryOtherDeviations(PolyMesh& mesh,
             tried.push_back({box, factor});
         try {
             CleanPieces other = cleanPieces(mesh, cut, surface, options, tried);
+            work += other.work;
             if (other.summary.badCells >= bad) continue;
             best = std::move(other);
             places = std::move(tried);

@@ -144,7 +144,7 @@ void tryOtherDeviations(PolyMesh& mesh,
                         TrimOptions options,
                         CleanPieces& best) {
     constexpr std::array<double, 4> factors{0.3, 2, 0.1, 4};
-    constexpr Label mostBadCells = 20;        // more: the mesh is too coarse for the surface
+    constexpr Label mostBadCells = 20;       // more: the mesh is too coarse for the surface
     constexpr std::int64_t mostWork = 60000; // some two seconds
     std::int64_t work = best.work;
     std::vector<FidelityPlace> places;

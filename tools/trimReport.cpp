@@ -39,34 +39,6 @@ void reportCells(ToolRun& tool, const TrimRun& run) {
     tool.report["holedFaces"] = s.holedFaces;
 }
 
-void reportAdjust(ToolRun& tool, const TrimRun& run) {
-    const AdjustCounts& a = run.trimmed.summary.adjusted;
-    if (run.options.adjust.how == Adjust::none) return;
-    if (run.options.adjust.how == Adjust::project)
-        tool.say("adjusted   {} nodes onto corners, {} onto edges, {} onto faces; {} refused",
-                 a.corners,
-                 a.edges,
-                 a.faces,
-                 a.refused);
-    else
-        tool.say("adjusted   {} nodes moved away from the surface; {} refused", a.away, a.refused);
-    if (run.options.adjust.how == Adjust::avoid)
-        tool.say("           edges near feature edges: {} before, {} now; faces near corners: {} "
-                 "before, {} now",
-                 a.closeBefore.edges,
-                 a.closeAfter.edges,
-                 a.closeBefore.faces,
-                 a.closeAfter.faces);
-    tool.report["adjusted"] = {{"corners", a.corners},
-                               {"edges", a.edges},
-                               {"faces", a.faces},
-                               {"away", a.away},
-                               {"refused", a.refused}};
-    if (run.options.adjust.how != Adjust::avoid) return;
-    tool.report["closeEdges"] = {a.closeBefore.edges, a.closeAfter.edges};
-    tool.report["closeFaces"] = {a.closeBefore.faces, a.closeAfter.faces};
-}
-
 /// How many nodes of the cells at the surface are trivalent: each of these is one hexahedron for
 /// mpsSplit.
 void reportNodes(ToolRun& tool, const TrimRun& run) {
@@ -182,8 +154,35 @@ InitialMesh describe(const PolyMesh& mesh) {
     return {boundingBox(mesh), boundedVolume(mesh), mesh.faceZones.size(), mesh.pointZones.size()};
 }
 
+void reportAdjust(ToolRun& tool, Adjust how, const AdjustCounts& a) {
+    if (how == Adjust::none) return;
+    if (how == Adjust::project)
+        tool.say("adjusted   {} nodes onto corners, {} onto edges, {} onto faces; {} refused",
+                 a.corners,
+                 a.edges,
+                 a.faces,
+                 a.refused);
+    else
+        tool.say("adjusted   {} nodes moved away from the surface; {} refused", a.away, a.refused);
+    if (how == Adjust::avoid)
+        tool.say("           edges near feature edges: {} before, {} now; faces near corners: {} "
+                 "before, {} now",
+                 a.closeBefore.edges,
+                 a.closeAfter.edges,
+                 a.closeBefore.faces,
+                 a.closeAfter.faces);
+    tool.report["adjusted"] = {{"corners", a.corners},
+                               {"edges", a.edges},
+                               {"faces", a.faces},
+                               {"away", a.away},
+                               {"refused", a.refused}};
+    if (how != Adjust::avoid) return;
+    tool.report["closeEdges"] = {a.closeBefore.edges, a.closeAfter.edges};
+    tool.report["closeFaces"] = {a.closeBefore.faces, a.closeAfter.faces};
+}
+
 void reportTrim(ToolRun& tool, const TrimRun& run) {
-    reportAdjust(tool, run);
+    reportAdjust(tool, run.options.adjust.how, run.trimmed.summary.adjusted);
     reportCells(tool, run);
     reportNodes(tool, run);
     reportFeatures(tool, run);

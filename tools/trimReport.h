@@ -30,6 +30,9 @@ struct TrimRun {
 
 /// Ends the running stage; says what the trim did and how well the mesh meets the surface, and puts
 /// the same into the report. Cost: linear in the boundary faces and features.
+/// How many nodes were moved; nothing for Adjust::none.
+void reportAdjust(ToolRun& tool, Adjust how, const AdjustCounts& counts);
+
 void reportTrim(ToolRun& tool, const TrimRun& run);
 
 } // namespace polymesh::tools

@@ -7,7 +7,7 @@
 #include "formats/surfaceIo.h"
 #include "libpolymesh/base/error.h"
 #include "libpolymesh/mesh/validate.h"
-#include "libpolymesh/trim/trim.h"
+#include "libpolymesh/trim/adjustMesh.h"
 #include "tools/toolMain.h"
 #include "tools/trimPrepare.h"
 #include "tools/trimReport.h"
@@ -39,7 +39,8 @@ const std::vector<Option> options{
      "nodes near the surface: none (default) stay; project: go onto it, corners and feature edges "
      "first; repel: go away from it; avoid: as repel, and edges keep off its feature edges, faces "
      "off its corners"},
-    {"adjustDistance", "F", "how near, fraction of the shortest edge at the node; default 0.3"}};
+    {"adjustDistance", "F", "how near, fraction of the shortest edge at the node; default 0.3"},
+    {"adjustOnly", "", "move the nodes, but do not trim"}};
 
 AdjustOptions adjustOptions(const Settings& settings) {
     AdjustOptions adjust;
@@ -120,6 +121,20 @@ Trimmed trimOrRefuse(ToolRun& tool,
     }
 }
 
+/// Writes the mesh with its nodes moved.
+ExitCode runAdjust(ToolRun& tool, PolyMesh mesh, TriSurface surface, const TrimOptions& how) {
+    require(how.adjust.how != Adjust::none,
+            "{}: nothing is to be moved; say -adjust project, repel or avoid",
+            tool.settings.place("adjustOnly"));
+    tool.clock.start("adjust");
+    const AdjustCounts counts = adjustMesh(mesh, std::move(surface), how);
+    tool.clock.start("write");
+    foam::writePolyMesh(mesh, tool.meshDir(), tool.writeFormat());
+    tool.clock.stop();
+    reportAdjust(tool, how.adjust.how, counts);
+    return ExitCode::success;
+}
+
 ExitCode run(ToolRun& tool) {
     TrimOptions how = trimOptions(tool.settings);
     how.onStage = [&](const std::string& name) { tool.clock.start(name); };
@@ -134,6 +149,8 @@ ExitCode run(ToolRun& tool) {
     prepareSurface(tool, file, surface);
     const InitialMesh initial = describe(mesh);
     const bool isWithin = checkPlace(tool, file, surface, initial.box);
+    if (tool.settings.isOn("adjustOnly"))
+        return runAdjust(tool, std::move(mesh), std::move(surface), how);
     const Trimmed trimmed = trimOrRefuse(tool, file, std::move(mesh), surface, how);
     tool.clock.start("write");
     foam::writePolyMesh(trimmed.mesh, tool.meshDir(), format);

@@ -71,8 +71,8 @@ CellStars cellsRound(const PolyMesh& mesh, const std::vector<std::uint8_t>& isMa
 
 class Adjustment {
 public:
-    Adjustment(PolyMesh& mesh, std::vector<NodeMove> moves)
-        : mesh_(mesh), moves_(std::move(moves)), isMarked_(mesh.points.size(), 0) {}
+    Adjustment(PolyMesh& mesh, std::vector<NodeMove> moves, double depth)
+        : mesh_(mesh), moves_(std::move(moves)), depth_(depth), isMarked_(mesh.points.size(), 0) {}
 
     AdjustedNodes run() {
         AdjustedNodes result;
@@ -256,13 +256,14 @@ private:
             ++counts.away;
             return;
         }
-        const double depth = settleDepth * move.size;
+        const double depth = depth_ * move.size;
         mesh_.points[index(move.node)] += depth * move.inward;
         result.settled.push_back({move.node, move.place, depth, move.target});
     }
 
     PolyMesh& mesh_;
     std::vector<NodeMove> moves_;
+    double depth_;                       // of projected nodes, fraction of the shortest edge
     std::vector<std::uint8_t> isMarked_; // points that may move
     CellStars stars_;
     std::vector<HangingNode> hanging_; // by ascending node, each once
@@ -293,7 +294,8 @@ AdjustedNodes adjustNodes(PolyMesh& mesh,
     const auto kept = std::erase_if(moves, [&](const NodeMove& move) {
         return std::ranges::binary_search(options.kept, move.node);
     });
-    AdjustedNodes adjusted = Adjustment(mesh, std::move(moves)).run();
+    AdjustedNodes adjusted =
+        Adjustment(mesh, std::move(moves), options.isForTrim ? settleDepth : 0).run();
     adjusted.counts.refused += toLabel(kept);
     adjusted.counts.closeBefore = before;
     if (avoids) adjusted.counts.closeAfter = countClose(mesh, targets, near, options);

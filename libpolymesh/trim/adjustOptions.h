@@ -17,6 +17,7 @@ struct AdjustOptions {
     Adjust how = Adjust::none;
     double distance = 0.3;   // nearer is near; fraction of the shortest edge at the node
     std::vector<Label> kept; // nodes that stay where they are, ascending
+    bool isForTrim = true;   // projected nodes stand a little inside: see SettledNode
 };
 
 /// Where a node was moved to; the first is the most important.

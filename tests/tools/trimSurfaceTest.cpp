@@ -174,6 +174,23 @@ TEST(TrimSurface, adjustsNodesAndSaysHowMany) {
     EXPECT_EQ(box.report()["adjusted"]["faces"], 0);
 }
 
+TEST(TrimSurface, adjustOnlyMovesNodesAndDoesNotTrim) {
+    const TrimCase box(cuboid({.15, .15, .15}, {.7, .7, .7}));
+    const PolyMesh before = box.mesh();
+    const ProgramResult result = box.trim("-adjust project -adjustOnly");
+    ASSERT_EQ(result.status, 0) << result.err;
+    const PolyMesh after = box.mesh();
+    EXPECT_TRUE(validate(after).empty());
+    EXPECT_EQ(after.faces, before.faces);
+    EXPECT_EQ(after.patches, before.patches);
+    EXPECT_EQ(std::ranges::count(after.points, Vec3{.15, .7, .15}), 1);
+    std::size_t moved = 0;
+    for (std::size_t p = 0; p < after.points.size(); ++p)
+        moved += after.points[p] != before.points[p] ? 1U : 0U;
+    EXPECT_EQ(moved, 8U + 24U + 24U);
+    expectRefused(box, "trimSurface -surface part.obj -adjustOnly", {"adjustOnly", "project"});
+}
+
 TEST(TrimSurface, wrongOptionsAreRefused) {
     const TrimCase box;
     const std::string call = "trimSurface -surface part.obj ";

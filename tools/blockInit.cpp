@@ -150,7 +150,7 @@ ExitCode run(ToolRun& tool) {
     if (!blocks.empty()) return runBlocks(tool, blocks);
     const CartesianBox box =
         isRoundSurface(tool.settings) ? boxRoundSurface(tool) : boxGiven(tool.settings);
-    if (const auto refinement = refinementOf(tool, tool.dictionary))
+    if (const auto refinement = refinementOf(tool, {}))
         return runRefine(tool, hexCells(box), *refinement);
     const CartesianMesh mesh(box);
     tool.clock.start("write mesh");
@@ -168,7 +168,8 @@ Tool thisTool() {
         "makes the initial mesh of hexahedra: a box divided into cubes or bricks; graded boxes, "
         "cylinders, spheres and extruded sheets, stitched where they touch (cartesian, cylinder, "
         "sphere, extrude and parts in system/blockInitDict); or the blocks of "
-        "system/blockMeshDict, as OpenFOAM's blockMesh does. Boxes are refined where wanted",
+        "system/blockMeshDict, as OpenFOAM's blockMesh does; any of them refined where "
+        "`refinement` or options say",
         allOptions(),
         run,
         {"cartesian", "cylinder", "extrude", "parts", "refinement", "sphere"},

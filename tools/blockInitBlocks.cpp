@@ -3,8 +3,9 @@
 #include "tools/blockInitBlocks.h"
 
 #include "formats/foam/polyMeshIo.h"
-#include "libpolymesh/initial/blocks.h"
+#include "libpolymesh/initial/blockHexCells.h"
 #include "tools/blockMeshDict.h"
+#include "tools/blockRefine.h"
 #include "tools/blockShorthands.h"
 
 namespace polymesh::tools {
@@ -50,8 +51,9 @@ fs::path blockDictOf(const ToolRun& tool) {
     std::error_code ignored;
     for (const char* option : {"surface", "cellSize", "box", "cells"})
         if (tool.settings.has(option)) return {};
-    if (!tool.dictionary.empty())
-        return isBlockDict(foam::readDictionary(tool.dictionary)) ? tool.dictionary : fs::path();
+    // A blockInitDict that says nothing of blocks may say how those of blockMeshDict are refined.
+    if (!tool.dictionary.empty() && isBlockDict(foam::readDictionary(tool.dictionary)))
+        return tool.dictionary;
     for (const fs::path& path : {tool.caseDirectory().system("blockMeshDict"),
                                  tool.caseDirectory().polyMesh() / "blockMeshDict"})
         if (fs::is_regular_file(path, ignored)) return path;
@@ -68,6 +70,8 @@ ExitCode runBlocks(ToolRun& tool, const fs::path& dictionary) {
     tool.say("dictionary {}", dictionary.string());
     tool.clock.start("make mesh");
     const PolyMesh mesh = blockMesh(description);
+    if (const auto refinement = refinementOf(tool, dictionary))
+        return runRefine(tool, hexCells(description, mesh), *refinement);
     tool.clock.start("write mesh");
     foam::writePolyMesh(mesh, tool.meshDir(), tool.writeFormat());
     tool.clock.stop();

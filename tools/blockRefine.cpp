@@ -128,15 +128,17 @@ const std::vector<Option>& refineOptions() {
     return options;
 }
 
-std::optional<RefineOptions> refinementOf(const ToolRun& tool, const fs::path& dictionary) {
+std::optional<RefineOptions> refinementOf(const ToolRun& tool, const fs::path& blocks) {
     RefineOptions options;
-    if (!dictionary.empty()) {
-        const foam::Dictionary entries = foam::readDictionary(dictionary);
-        const RefineFiles files{
-            [&](const std::string& name) { return readSurface(tool.surfaceFile(name)); },
-            [&](const std::string& name) { return readCellSet(tool, name); }};
-        if (entries.has("refinement"))
-            options = readRefinement(entries.dictionary("refinement"), files);
+    const RefineFiles files{
+        [&](const std::string& name) { return readSurface(tool.surfaceFile(name)); },
+        [&](const std::string& name) { return readCellSet(tool, name); }};
+    for (const fs::path& path : {tool.dictionary, blocks}) {
+        if (path.empty()) continue;
+        const foam::Dictionary entries = foam::readDictionary(path);
+        if (!entries.has("refinement")) continue;
+        options = readRefinement(entries.dictionary("refinement"), files);
+        break;
     }
     addOptions(tool, options);
     if (options.criteria.empty()) return std::nullopt;

@@ -15,10 +15,10 @@ namespace polymesh::tools {
 /// -level, -levels, -curvature and -nCellsBetweenLevels.
 const std::vector<Option>& refineOptions();
 
-/// What the options and `refinement { ... }` of a dictionary ask for; empty when nothing is
-/// refined. The options are about -surface. Throws InputError.
-std::optional<RefineOptions> refinementOf(const ToolRun& tool,
-                                          const std::filesystem::path& dictionary);
+/// What the options and `refinement { ... }` ask for, which is in the dictionary of the tool or
+/// else in that of the blocks (empty: none); empty when nothing is refined. The options are about
+/// -surface. Throws InputError.
+std::optional<RefineOptions> refinementOf(const ToolRun& tool, const std::filesystem::path& blocks);
 
 /// Refines the cells, writes the mesh with its levels and reports.
 ExitCode runRefine(ToolRun& tool, const HexCells& cells, const RefineOptions& options);

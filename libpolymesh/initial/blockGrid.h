@@ -77,6 +77,12 @@ SideGrid sideGrid(const BlockGrid& grid, std::size_t side);
 /// The corners of a side at (u, v) = (0, 0), (1, 0), (1, 1), (0, 1) of sideGrid.
 std::array<std::size_t, 4> sideCorners(std::size_t side);
 
+/// The shapes that the sides of a block lie on; null: none.
+using SideShapes = std::array<const Shape*, 6>;
+
+/// Those of the description, which must outlive the result.
+SideShapes sideShapes(const BlockMeshDescription& description, const Block& block);
+
 /// The points of one block, not scaled. Inside by trans-finite interpolation: every point is
 /// interpolated along the twelve edges, at the parameters that these have there. The weight of an
 /// edge is the sum of those of its two ends, and that of a corner is the product, over its three

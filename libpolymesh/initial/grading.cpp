@@ -30,12 +30,12 @@ std::vector<Label> sectionCells(Label cells, const Grading& grading) {
     return result;
 }
 
-/// The share of a section's length that its first i of n cells have.
-double sectionShare(Label i, Label n, double expansion) {
-    const double share = static_cast<double>(i) / static_cast<double>(n);
+/// The share of a section's length that its first i of n cells have; i may lie within a cell.
+double sectionShare(double i, Label n, double expansion) {
+    const double share = i / static_cast<double>(n);
     if (std::abs(expansion - 1) < 1e-15 || n == 1) return share;
     const double growth = std::pow(expansion, 1 / static_cast<double>(n - 1));
-    const double numerator = 1 - std::pow(growth, static_cast<double>(i));
+    const double numerator = 1 - std::pow(growth, i);
     return numerator / (1 - std::pow(growth, static_cast<double>(n)));
 }
 
@@ -48,7 +48,7 @@ Grading reversed(const Grading& grading) {
     return result;
 }
 
-std::vector<double> gradedParameters(Label cells, const Grading& grading) {
+std::vector<double> gradedParameters(Label cells, const Grading& grading, Label parts) {
     std::vector<double> result{0};
     const bool even = grading.empty() || cells < toLabel(grading.size());
     const Grading& used = even ? Grading{{}} : grading;
@@ -56,11 +56,13 @@ std::vector<double> gradedParameters(Label cells, const Grading& grading) {
     const std::vector<Label> counts = sectionCells(cells, used);
     for (std::size_t s = 0; s < used.size(); ++s) {
         const double start = result.back();
-        for (Label i = 1; i <= counts[s]; ++i)
+        for (Label i = 1; i <= counts[s] * parts; ++i) {
+            const double cell = static_cast<double>(i) / static_cast<double>(parts);
             result.push_back(start + used[s].length / length *
-                                         sectionShare(i, counts[s], used[s].expansion));
+                                         sectionShare(cell, counts[s], used[s].expansion));
+        }
     }
-    result.resize(index(cells) + 1);
+    result.resize(index(cells * parts) + 1);
     result.back() = 1;
     return result;
 }

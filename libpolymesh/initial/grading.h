@@ -27,7 +27,9 @@ Grading reversed(const Grading& grading);
 /// last 1. Sizes grow geometrically within a section. Each section has its share of the cells
 /// rounded to the nearest number; what rounding leaves over goes to the section with most of them.
 /// Fewer cells than sections are spaced evenly.
+/// With `parts` those between the points too: each cell is divided into so many that grow by the
+/// same law.
 /// Requires: cells >= 1, shares and expansions positive. Source: OpenFOAM's user guide, 4.3.1.3.
-std::vector<double> gradedParameters(Label cells, const Grading& grading);
+std::vector<double> gradedParameters(Label cells, const Grading& grading, Label parts = 1);
 
 } // namespace polymesh

@@ -29,10 +29,13 @@ struct HexCells {
     std::vector<Patch> patches; // start and size are not set
     std::vector<Zone> cellZones;
 
+    /// How pointIn finds a point; the cells are these.
+    std::function<Vec3(const HexCells& cells, Label cell, const Vec3& at)> map;
+
     /// A point of a cell at fractions of it, each in [0, 1]: on curved edges and sides too, and
     /// where the grading of the whole puts it. Points that cells share are the same up to rounding.
     /// Thread-safe.
-    std::function<Vec3(Label cell, const Vec3& at)> pointIn;
+    Vec3 pointIn(Label cell, const Vec3& at) const { return map(*this, cell, at); }
 
     Label cellCount() const { return toLabel(corners.size()); }
 };

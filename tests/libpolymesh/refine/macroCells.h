@@ -26,13 +26,13 @@ inline HexCells hexCellsOf(std::vector<Vec3> points, std::vector<std::array<Labe
     for (Label c = 0; c < cells.cellCount(); ++c)
         for (Label side = 0; side < 6; ++side)
             if (macro.neighbour(c, index(side)) < 0) cells.sides.push_back({c, side, 0});
-    cells.pointIn = [known = cells.points, of = cells.corners](Label cell, const Vec3& at) {
+    cells.map = [](const HexCells& of, Label cell, const Vec3& at) {
         Vec3 sum;
         for (std::size_t c = 0; c < 8; ++c) {
             double weight = 1;
             for (int axis = 0; axis < 3; ++axis)
                 weight *= (c >> static_cast<unsigned>(axis) & 1U) != 0 ? at[axis] : 1 - at[axis];
-            sum += weight * known[index(of[index(cell)][c])];
+            sum += weight * of.points[index(of.corners[index(cell)][c])];
         }
         return sum;
     };

@@ -11,6 +11,8 @@
 #include "tools/refineDict.h"
 
 #include <algorithm>
+#include <cmath>
+#include <exception>
 #include <numbers>
 
 namespace polymesh::tools {
@@ -87,27 +89,96 @@ double shortestEdge(const HexCells& cells) {
     return std::sqrt(least2);
 }
 
-void report(ToolRun& tool, const HexCells& cells, const RefinedMesh& refined) {
-    const PolyMesh& mesh = refined.mesh;
-    const std::uintmax_t bytes = bytesIn(tool.meshDir());
-    std::vector<Label> counts(mostLevel + 1, 0);
+/// Numbers of cells of each level, of all processes together.
+std::vector<Label> cellsOfLevel(const RefinedMesh& refined, const Processes& processes) {
+    std::vector<Label> own(mostLevel + 1, 0);
     for (const Label level : refined.cellLevel)
-        ++counts[index(level)];
+        ++own[index(level)];
+    const std::vector<Label> all = processes.gather(own);
+    std::vector<Label> counts(own.size(), 0);
+    for (std::size_t i = 0; i < all.size(); ++i)
+        counts[i % counts.size()] += all[i];
     while (counts.back() == 0)
         counts.pop_back();
-    tool.say("initial    {} cells", cells.cellCount());
+    return counts;
+}
+
+void reportLevels(ToolRun& tool, Label initialCells, const std::vector<Label>& counts) {
+    tool.say("initial    {} cells", initialCells);
     for (std::size_t level = 0; level < counts.size(); ++level)
         tool.say("level {:<4} {} cells", level, counts[level]);
+    tool.report["initialCells"] = initialCells;
+    tool.report["cellsOfLevel"] = counts;
+}
+
+void reportMesh(ToolRun& tool, const PolyMesh& mesh) {
+    const std::uintmax_t bytes = bytesIn(tool.meshDir());
     tool.say("cells      {}", mesh.cellCount);
     tool.say("faces      {} ({} internal)", mesh.faceCount(), mesh.internalFaceCount());
     tool.say("points     {}", mesh.pointCount());
     tool.say("written    {}, {:.1f} MB", tool.meshDir().string(), static_cast<double>(bytes) / 1e6);
-    tool.report["initialCells"] = cells.cellCount();
     tool.report["cells"] = mesh.cellCount;
-    tool.report["cellsOfLevel"] = counts;
     tool.report["faces"] = mesh.faceCount();
     tool.report["points"] = mesh.pointCount();
     tool.report["bytes"] = bytes;
+}
+
+void reportProcesses(ToolRun& tool, const PolyMesh& own, const Processes& processes) {
+    const std::vector<Label> cells = processes.gather(std::vector<Label>{own.cellCount});
+    Label all = 0;
+    for (std::size_t r = 0; r < cells.size(); ++r) {
+        tool.say("written    {}/processor{}, {} cells", tool.caseDir.string(), r, cells[r]);
+        all += cells[r];
+    }
+    tool.say("cells      {}", all);
+    tool.report["cells"] = all;
+    tool.report["cellsOfProcess"] = cells;
+}
+
+void write(const RefinedMesh& refined,
+           const fs::path& directory,
+           const foam::WriteFormat& format,
+           double level0Edge) {
+    const ProcessAddressing& addressing = refined.addressing;
+    foam::writePolyMesh(refined.mesh, directory, format, [&](const foam::PolyMeshWriter& writer) {
+        writer.writeLabelList("cellLevel", refined.cellLevel);
+        writer.writeLabelList("pointLevel", refined.pointLevel);
+        writer.writeUniformScalar("level0Edge", "[0 1 0 0 0 0 0]", level0Edge);
+        if (addressing.cells.empty()) return;
+        writer.writeLabelList("cellProcAddressing", addressing.cells);
+        writer.writeLabelList("faceProcAddressing", addressing.faces);
+        writer.writeLabelList("pointProcAddressing", addressing.points);
+        writer.writeLabelList("boundaryProcAddressing", addressing.patches);
+    });
+}
+
+/// Each process makes its part and writes it to its own directory.
+ExitCode runTogether(ToolRun& tool, const HexCells& cells, const RefineOptions& options) {
+    const Processes processes = Processes::ofMpirun();
+    require(processes.count() > 1,
+            "option -parallel: there is one process; start several: mpirun -np 2 blockInit "
+            "-parallel");
+    require(processes.count() <= cells.cellCount(),
+            "option -parallel: {} processes for {} initial cells; each needs one at least",
+            processes.count(),
+            cells.cellCount());
+    tool.quiet = tool.quiet || processes.rank() > 0;
+    tool.reports = processes.rank() == 0;
+    try {
+        tool.clock.start("refine");
+        const RefinedMesh refined = refine(cells, options, processes);
+        tool.clock.start("write mesh");
+        const foam::CaseDirectory own{tool.caseDir / fmt::format("processor{}", processes.rank()),
+                                      tool.caseDirectory().region};
+        write(refined, own.polyMesh(), tool.writeFormat(), shortestEdge(cells));
+        tool.clock.stop();
+        reportLevels(tool, cells.cellCount(), cellsOfLevel(refined, processes));
+        reportProcesses(tool, refined.mesh, processes);
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "blockInit: process {}: {}\n", processes.rank(), error.what());
+        Processes::abort(static_cast<int>(ExitCode::failure)); // the others wait for this one
+    }
+    return ExitCode::success;
 }
 
 } // namespace
@@ -122,9 +193,11 @@ const std::vector<Option>& refineOptions() {
          "LIMITS",
          "halve cells at the surface where its radius of curvature is less than so many of them, "
          "up to a level: \"(cellsPerRadius N)\""},
-        {"nCellsBetweenLevels",
-         "N",
-         "layers of cells of a level before a coarser one; default: 1"}};
+        {"nCellsBetweenLevels", "N", "layers of cells of a level before a coarser one; default: 1"},
+        {"parallel",
+         "",
+         "each process that mpirun starts makes its part of the mesh: processor0, processor1, ...",
+         false}};
     return options;
 }
 
@@ -141,22 +214,19 @@ std::optional<RefineOptions> refinementOf(const ToolRun& tool, const fs::path& b
         break;
     }
     addOptions(tool, options);
-    if (options.criteria.empty()) return std::nullopt;
+    if (options.criteria.empty() && !tool.settings.isOn("parallel")) return std::nullopt;
     return options;
 }
 
 ExitCode runRefine(ToolRun& tool, const HexCells& cells, const RefineOptions& options) {
+    if (tool.settings.isOn("parallel")) return runTogether(tool, cells, options);
     tool.clock.start("refine");
     const RefinedMesh refined = refine(cells, options);
     tool.clock.start("write mesh");
-    foam::writePolyMesh(
-        refined.mesh, tool.meshDir(), tool.writeFormat(), [&](const foam::PolyMeshWriter& writer) {
-            writer.writeLabelList("cellLevel", refined.cellLevel);
-            writer.writeLabelList("pointLevel", refined.pointLevel);
-            writer.writeUniformScalar("level0Edge", "[0 1 0 0 0 0 0]", shortestEdge(cells));
-        });
+    write(refined, tool.meshDir(), tool.writeFormat(), shortestEdge(cells));
     tool.clock.stop();
-    report(tool, cells, refined);
+    reportLevels(tool, cells.cellCount(), cellsOfLevel(refined, Processes()));
+    reportMesh(tool, refined.mesh);
     return ExitCode::success;
 }
 

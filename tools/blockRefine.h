@@ -12,7 +12,7 @@
 
 namespace polymesh::tools {
 
-/// -level, -levels, -curvature and -nCellsBetweenLevels.
+/// -level, -levels, -curvature, -nCellsBetweenLevels and -parallel.
 const std::vector<Option>& refineOptions();
 
 /// What the options and `refinement { ... }` ask for, which is in the dictionary of the tool or

@@ -42,7 +42,7 @@ nlohmann::ordered_json stagesOf(const StageClock& clock) {
 
 void finishReport(ToolRun& tool, const std::string& name) {
     tool.clock.stop();
-    if (!tool.settings.has("json")) return;
+    if (!tool.settings.has("json") || !tool.reports) return;
     tool.report["tool"] = name;
     tool.report["stages"] = stagesOf(tool.clock);
     tool.report["wallSeconds"] = tool.clock.seconds();

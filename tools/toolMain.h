@@ -31,6 +31,7 @@ struct ToolRun {
     /// Written to the file of -json at the end; runTool adds stages, wallSeconds, peakMemoryBytes.
     nlohmann::ordered_json report;
     bool quiet = false;
+    bool reports = true; // whether this process writes the report: the first of several does
 
     /// The case, with the region that -region names.
     foam::CaseDirectory caseDirectory() const;

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/refine/forest.h"
 
-#include "libpolymesh/refine/mpi.h"
-
+#include <algorithm>
 #include <array>
 #include <memory>
 
@@ -12,6 +11,7 @@
 #pragma GCC diagnostic ignored "-Wold-style-cast"
 #pragma GCC diagnostic ignored "-Wconversion"
 #pragma GCC diagnostic ignored "-Wsign-conversion"
+#include <p8est_algorithms.h>
 #include <p8est_extended.h>
 #pragma GCC diagnostic pop
 
@@ -74,6 +74,12 @@ struct Cursors {
     const RefinedOctants& refined;
     std::array<std::size_t, mostLevel> at{};
 
+    void startAt(OctantKey first) {
+        for (std::size_t l = 0; l < mostLevel; ++l)
+            at[l] = static_cast<std::size_t>(std::ranges::lower_bound(refined[l], first) -
+                                             refined[l].begin());
+    }
+
     bool isNext(Label tree, const LatticePoint& anchor, int level) {
         const auto l = static_cast<std::size_t>(level);
         if (at[l] == refined[l].size() || refined[l][at[l]] != octantKey(tree, anchor))
@@ -92,43 +98,101 @@ int isDivided(p8est_t* forest, p4est_topidx_t tree, p8est_quadrant_t* octant) {
     return cursors->isNext(tree, anchorOf(*octant), octant->level) ? 1 : 0;
 }
 
-Forest forestOf(p8est_connectivity_t* connectivity, const RefinedOctants& refined) {
+/// Of one process or of all that mpirun started.
+Forest
+forestOf(p8est_connectivity_t* connectivity, const RefinedOctants& refined, bool isDistributed) {
+    const MPI_Comm processes = isDistributed ? MPI_COMM_WORLD : MPI_COMM_SELF;
+    Forest forest(p8est_new_ext(processes, connectivity, 0, 0, 1, 0, nullptr, nullptr));
     Cursors cursors{refined};
-    Forest forest(p8est_new_ext(MPI_COMM_SELF, connectivity, 0, 0, 1, 0, nullptr, &cursors));
+    if (forest->first_local_tree >= 0) cursors.startAt(octantKey(forest->first_local_tree, {}));
+    forest->user_pointer = &cursors;
     p8est_refine_ext(forest.get(), 1, mostLevel, isDivided, nullptr, nullptr);
     forest->user_pointer = nullptr;
     return forest;
 }
 
-Leaves leavesOf(const p8est_t& forest) {
-    Leaves leaves;
-    leaves.codes.reserve(static_cast<std::size_t>(forest.local_num_quadrants));
-    for (p4est_topidx_t t = 0; t < forest.connectivity->num_trees; ++t) {
-        leaves.first.push_back(leaves.cellCount());
-        const p8est_tree_t* tree = p8est_tree_array_index(forest.trees, t);
-        const auto* octants =
-            static_cast<const p8est_quadrant_t*>(static_cast<const void*>(tree->quadrants.array));
-        for (std::size_t i = 0; i < tree->quadrants.elem_count; ++i)
-            leaves.codes.push_back(octantCode({anchorOf(octants[i]), octants[i].level}));
+std::span<const p8est_quadrant_t> octantsOf(const p8est_t& forest, Label tree) {
+    const p8est_tree_t* found = p8est_tree_array_index(forest.trees, tree);
+    return {static_cast<const p8est_quadrant_t*>(static_cast<const void*>(found->quadrants.array)),
+            found->quadrants.elem_count};
+}
+
+void addTree(const p8est_t& forest, Label tree, Leaves& leaves) {
+    leaves.start[index(tree)] = toLabel(leaves.codes.size());
+    for (const p8est_quadrant_t& octant : octantsOf(forest, tree))
+        leaves.codes.push_back(octantCode({anchorOf(octant), octant.level}));
+}
+
+/// Ships the trees to where the partition wants them.
+void distribute(p8est_t& forest, const Partition& partition, const Leaves& leaves) {
+    std::vector<p4est_locidx_t> counts;
+    for (std::size_t r = 0; r + 1 < partition.firstTree.size(); ++r)
+        counts.push_back(leaves.first[index(partition.firstTree[r + 1])] -
+                         leaves.first[index(partition.firstTree[r])]);
+    p8est_partition_given(&forest, counts.data());
+}
+
+/// The leaves of a tree of another process, from its divided octants.
+void addExpanded(const Octant& octant, std::span<const OctantCode> divided, Leaves& leaves) {
+    const OctantCode code = octantCode(octant);
+    if (!std::ranges::binary_search(divided, code)) {
+        leaves.codes.push_back(code);
+        return;
     }
-    leaves.first.push_back(leaves.cellCount());
-    return leaves;
+    for (std::size_t c = 0; c < 8; ++c)
+        addExpanded(octant.child(c), divided, leaves);
+}
+
+void addForeignTrees(const MacroMesh& mesh,
+                     const TreeOctants& octants,
+                     const Partition& partition,
+                     Leaves& leaves) {
+    const std::vector<char> inSight = treesInSight(mesh, partition);
+    for (Label tree = 0; tree < mesh.cellCount(); ++tree) {
+        if (inSight[index(tree)] == 0 || partition.isOwn(tree)) continue;
+        leaves.start[index(tree)] = toLabel(leaves.codes.size());
+        const std::span<const OctantCode> own = octants.of(tree);
+        std::vector<OctantCode> divided(own.begin(), own.end());
+        std::ranges::sort(divided);
+        addExpanded({}, divided, leaves);
+    }
 }
 
 } // namespace
 
-Leaves growForest(const MacroMesh& mesh, const RefinedOctants& refined) {
+Leaves growForest(const MacroMesh& mesh,
+                  const RefinedOctants& refined,
+                  const TreeOctants& octants,
+                  const Partition& partition) {
     startMpi();
+    Leaves leaves;
+    leaves.first.push_back(0);
+    for (Label tree = 0; tree < mesh.cellCount(); ++tree)
+        leaves.first.push_back(leaves.first.back() + octants.leafCount(tree));
+    leaves.start.assign(index(mesh.cellCount()), -1);
     const Connectivity connectivity = connectivityOf(mesh, false);
-    return leavesOf(*forestOf(connectivity.get(), refined));
+    const Forest forest = forestOf(connectivity.get(), refined, !partition.isWhole());
+    if (!partition.isWhole()) distribute(*forest, partition, leaves);
+    leaves.codes.reserve(static_cast<std::size_t>(forest->local_num_quadrants));
+    for (Label tree = partition.first(); tree < partition.end(); ++tree)
+        addTree(*forest, tree, leaves);
+    if (!partition.isWhole()) addForeignTrees(mesh, octants, partition, leaves);
+    return leaves;
 }
 
 Leaves growBalancedForest(const MacroMesh& mesh, const RefinedOctants& refined) {
     startMpi();
     const Connectivity connectivity = connectivityOf(mesh, true);
-    const Forest forest = forestOf(connectivity.get(), refined);
+    const Forest forest = forestOf(connectivity.get(), refined, false);
     p8est_balance(forest.get(), P8EST_CONNECT_FULL, nullptr);
-    return leavesOf(*forest);
+    Leaves leaves;
+    leaves.start.assign(index(mesh.cellCount()), -1);
+    for (Label tree = 0; tree < mesh.cellCount(); ++tree) {
+        leaves.first.push_back(toLabel(leaves.codes.size()));
+        addTree(*forest, tree, leaves);
+    }
+    leaves.first.push_back(toLabel(leaves.codes.size()));
+    return leaves;
 }
 
 } // namespace polymesh

@@ -9,15 +9,17 @@
 
 namespace polymesh {
 
-/// The cells of a refined mesh: tree by tree, in each along its curve.
+/// The cells of a refined mesh: tree by tree, in each along its curve. Of some trees the leaves may
+/// be unknown.
 /// Laws: (1) first has an entry a tree and one more, ascending; (2) the codes of a tree ascend.
 struct Leaves {
     std::vector<Label> first;      // the first cell of each tree
-    std::vector<OctantCode> codes; // one per cell
+    std::vector<Label> start;      // where the codes of each tree begin; -1: unknown
+    std::vector<OctantCode> codes; // of the leaves that are known
 
     std::span<const OctantCode> of(Label tree) const {
-        const Label begin = first[index(tree)];
-        return {codes.data() + begin, index(first[index(tree) + 1] - begin)};
+        return {codes.data() + start[index(tree)],
+                index(first[index(tree) + 1] - first[index(tree)])};
     }
 
     /// The cell of a tree that holds this anchor.
@@ -29,9 +31,12 @@ struct Leaves {
         return first[index(tree)] + static_cast<Label>(after - own.begin()) - 1;
     }
 
-    int level(Label cell) const { return levelOf(codes[index(cell)]); }
+    int levelAt(Label tree, Label cell) const {
+        return levelOf(codes[index(start[index(tree)] + cell - first[index(tree)])]);
+    }
 
-    Label cellCount() const { return toLabel(codes.size()); }
+    /// Of all trees.
+    Label cellCount() const { return first.back(); }
 };
 
 } // namespace polymesh

@@ -155,12 +155,13 @@ const Keys& PointCollector::collect() {
     return keys_;
 }
 
-Rows<PointKey> pointsOfTrees(const MacroMesh& mesh, const TreeOctants& octants) {
+Rows<PointKey>
+pointsOfTrees(const MacroMesh& mesh, const TreeOctants& octants, const std::vector<char>& inSight) {
     const Label count = mesh.cellCount();
     std::vector<Rows<PointKey>> parts(index((count + blockSize - 1) / blockSize));
     parallelBlocks(count, blockSize, [&](Label block, Label first, Label last) {
         for (Label tree = first; tree < last; ++tree) {
-            if (octants.highest[index(tree)] == 0)
+            if (octants.highest[index(tree)] == 0 || inSight[index(tree)] == 0)
                 parts[index(block)].add({});
             else
                 parts[index(block)].add(PointCollector(mesh, octants, tree).collect());
@@ -190,22 +191,27 @@ int levelOfPoint(const LatticePoint& p) {
     return latticeBits - std::countr_zero(bits);
 }
 
-PointTable::PointTable(const MacroMesh& mesh, const TreeOctants& octants)
-    : mesh_(mesh), keys_(pointsOfTrees(mesh, octants)) {
-    countOwned();
+PointTable::PointTable(const MacroMesh& mesh,
+                       const TreeOctants& octants,
+                       const Partition& partition,
+                       const Processes& processes)
+    : mesh_(mesh),
+      partition_(partition),
+      keys_(pointsOfTrees(mesh, octants, treesInSight(mesh, partition))) {
+    countOwned(processes);
     setLabels();
 }
 
 /// Numbers the points within their owners; those of other trees get -1.
-void PointTable::countOwned() {
+void PointTable::countOwned(const Processes& processes) {
     const Label trees = mesh_.cellCount();
     labels_ = freshList<Label>(keys_.values.size());
-    firstOwned_.assign(index(trees) + 1, 0);
+    std::vector<Label> counts(index(trees), 0);
     parallelFor(trees, [&](Label tree) {
         constexpr Label unknown = -1;
-        std::array<Label, 27> owners;
+        std::array<Label, 27> owners{};
         owners.fill(unknown);
-        Label count = 0;
+        Label& count = counts[index(tree)];
         for (Label slot = keys_.offsets[index(tree)]; slot < keys_.offsets[index(tree) + 1];
              ++slot) {
             const Ends ends(latticePoint(keys_.values[index(slot)]));
@@ -213,26 +219,21 @@ void PointTable::countOwned() {
             if (owner == unknown) owner = ownerOf(mesh_, tree, ends);
             labels_[index(slot)] = owner == tree ? count++ : -1;
         }
-        firstOwned_[index(tree) + 1] = count;
     });
-    firstOwned_[0] = mesh_.pointCount();
+    counts = processes.gather(
+        std::vector<Label>(counts.begin() + partition_.first(), counts.begin() + partition_.end()));
+    firstOwned_.assign(1, mesh_.pointCount());
+    firstOwned_.insert(firstOwned_.end(), counts.begin(), counts.end());
     std::partial_sum(firstOwned_.begin(), firstOwned_.end(), firstOwned_.begin());
 }
 
 void PointTable::setLabels() {
-    const auto forSlots = [&](auto&& body) {
-        parallelFor(mesh_.cellCount(), [&](Label tree) {
-            for (Label slot = keys_.offsets[index(tree)]; slot < keys_.offsets[index(tree) + 1];
-                 ++slot)
-                body(tree, index(slot));
-        });
-    };
-    forSlots([&](Label tree, std::size_t slot) {
-        if (labels_[slot] >= 0) labels_[slot] += firstOwned_[index(tree)];
+    parallelFor(mesh_.cellCount(), [&](Label tree) {
+        for (Label slot = keys_.offsets[index(tree)]; slot < keys_.offsets[index(tree) + 1]; ++slot)
+            if (labels_[index(slot)] >= 0) labels_[index(slot)] += firstOwned_[index(tree)];
     });
-    forSlots([&](Label tree, std::size_t slot) {
-        if (labels_[slot] < 0)
-            labels_[slot] = labelFromOwner(tree, latticePoint(keys_.values[slot]));
+    forOwnSlots([&](Label tree, std::size_t slot) {
+        if (labels_[slot] < 0) labels_[slot] = homeOf(tree, latticePoint(keys_.values[slot])).label;
     });
 }
 
@@ -244,19 +245,21 @@ Label PointTable::slotOf(Label tree, const LatticePoint& p) const {
     return keys_.offsets[index(tree)] + static_cast<Label>(found - row.begin());
 }
 
-Label PointTable::labelFromOwner(Label tree, const LatticePoint& p) const {
+/// Requires: another tree owns the point.
+PointTable::Home PointTable::homeOf(Label tree, const LatticePoint& p) const {
     const Ends ends(p);
+    Home home;
     if (ends.count == 1) {
         const Passage passage(mesh_, tree, ends.side());
-        return labels_[index(slotOf(passage.cell(), passage.point(p)))];
+        home = {-1, passage.cell(), passage.point(p)};
+    } else {
+        const std::int32_t distance = p[ends.along()];
+        mesh_.forCellsAtEdge(tree, ends.edge(), [&](Label other, std::size_t a, std::size_t b) {
+            if (home.tree < 0) home = {-1, other, pointOnEdge(a, b, distance)}; // the lowest
+        });
     }
-    Label label = -1;
-    const std::int32_t distance = p[ends.along()];
-    mesh_.forCellsAtEdge(tree, ends.edge(), [&](Label other, std::size_t a, std::size_t b) {
-        if (label < 0 && other != tree) // the first one is the lowest
-            label = labels_[index(slotOf(other, pointOnEdge(a, b, distance)))];
-    });
-    return label;
+    home.label = labels_[index(slotOf(home.tree, home.point))];
+    return home;
 }
 
 Label PointTable::find(Label tree, const LatticePoint& p) const {

@@ -46,18 +46,20 @@ Selection selection(const HexCells& cells, const std::vector<Criterion>& criteri
     };
 }
 
-std::vector<FaceList> internalParts(Label trees, const RefinedFaces& faces) {
+/// Of the trees of this process, in blocks.
+std::vector<InternalFaces> internalFaces(const Partition& partition, const RefinedFaces& faces) {
     constexpr Label blockSize = 256;
-    std::vector<FaceList> parts(index((trees + blockSize - 1) / blockSize));
+    const Label trees = partition.end() - partition.first();
+    std::vector<InternalFaces> blocks(index((trees + blockSize - 1) / blockSize));
     parallelBlocks(trees, blockSize, [&](Label block, Label first, Label last) {
-        for (Label tree = first; tree < last; ++tree)
-            faces.addInternal(tree, parts[index(block)]);
+        for (Label i = first; i < last; ++i)
+            faces.addInternal(partition.first() + i, blocks[index(block)]);
     });
-    return parts;
+    return blocks;
 }
 
 /// Appends the parts to the mesh, which gives each its place at once.
-void append(std::vector<FaceList>& parts, PolyMesh& mesh) {
+void append(std::vector<FaceList> parts, PolyMesh& mesh) {
     std::vector<std::array<Label, 3>> starts; // faces, neighbours and points before each part
     std::array<Label, 3> at{
         mesh.faceCount(), mesh.internalFaceCount(), toLabel(mesh.faces.values.size())};
@@ -82,64 +84,143 @@ void append(std::vector<FaceList>& parts, PolyMesh& mesh) {
     });
 }
 
-void addPatches(const HexCells& cells, const RefinedFaces& faces, PolyMesh& mesh) {
+void addInner(std::vector<InternalFaces>& blocks, PolyMesh& mesh) {
+    std::vector<FaceList> parts;
+    parts.reserve(blocks.size());
+    for (InternalFaces& block : blocks) {
+        std::vector<Label> places = std::move(block.inner.place);
+        parts.push_back(std::move(block.inner));
+        block.inner = {};
+        block.inner.place = std::move(places);
+    }
+    append(std::move(parts), mesh);
+}
+
+void addPatches(const HexCells& cells,
+                const Partition& partition,
+                const RefinedFaces& faces,
+                PolyMesh& mesh) {
     mesh.patches = cells.patches;
     std::size_t side = 0;
     for (Label p = 0; p < toLabel(mesh.patches.size()); ++p) {
         std::vector<FaceList> part(1);
         for (; side < cells.sides.size() && cells.sides[side].patch == p; ++side)
-            faces.addBoundary({cells.sides[side].cell, index(cells.sides[side].side)}, part[0]);
+            if (partition.isOwn(cells.sides[side].cell))
+                faces.addBoundary({cells.sides[side].cell, index(cells.sides[side].side)}, part[0]);
         Patch& patch = mesh.patches[index(p)];
         patch.start = mesh.faceCount();
         patch.size = toLabel(part[0].owner.size());
-        append(part, mesh);
+        append(std::move(part), mesh);
     }
 }
 
-std::vector<Zone> refinedZones(const std::vector<Zone>& zones, const Leaves& leaves) {
+/// Cells by the labels that they have in this process.
+std::vector<Zone>
+refinedZones(const std::vector<Zone>& zones, const Partition& partition, const Leaves& leaves) {
     std::vector<Zone> result;
+    const Label firstCell = leaves.first[index(partition.first())];
     for (const Zone& zone : zones) {
         result.push_back({zone.name, {}, {}});
         for (const Label tree : zone.labels)
-            for (Label c = leaves.first[index(tree)]; c < leaves.first[index(tree) + 1]; ++c)
-                result.back().labels.push_back(c);
+            if (partition.isOwn(tree))
+                for (Label c = leaves.first[index(tree)]; c < leaves.first[index(tree) + 1]; ++c)
+                    result.back().labels.push_back(c - firstCell);
     }
     return result;
 }
 
-void addPoints(const HexCells& cells, const PointTable& table, RefinedMesh& result) {
-    std::vector<Vec3>& points = result.mesh.points;
-    points = freshList<Vec3>(index(table.pointCount()));
-    std::ranges::copy(cells.points, points.begin());
-    result.pointLevel = freshList<Label>(index(table.pointCount()));
-    table.forNewPoints([&](Label point, Label tree, const LatticePoint& p) {
-        points[index(point)] = pointAt(cells, tree, p);
-        result.pointLevel[index(point)] = levelOfPoint(p);
+/// Coordinates and levels of points, of which some have labels of their own in this process.
+class PointSetter {
+public:
+    PointSetter(const HexCells& cells, RefinedMesh& result, Label pointCount)
+        : cells_(cells), result_(result), known_(result.addressing.points) {
+        const std::size_t count = known_.empty() ? index(pointCount) : known_.size();
+        result.mesh.points = freshList<Vec3>(count);
+        result.pointLevel = freshList<Label>(count);
+    }
+
+    void set(const PointTable& table) {
+        const Label corners = toLabel(cells_.points.size());
+        if (known_.empty()) std::ranges::copy(cells_.points, result_.mesh.points.begin());
+        for (std::size_t p = 0; p < known_.size() && known_[p] < corners; ++p)
+            result_.mesh.points[p] = cells_.points[index(known_[p])];
+        const auto setHome = [&](const PointTable::Home& home) { setPoint(home); };
+        table.forOwnedPoints(setHome);
+        if (!known_.empty()) table.forForeignPoints(setHome);
+    }
+
+private:
+    void setPoint(const PointTable::Home& home) {
+        const std::size_t p =
+            known_.empty() ? index(home.label)
+                           : static_cast<std::size_t>(std::ranges::lower_bound(known_, home.label) -
+                                                      known_.begin());
+        result_.mesh.points[p] = pointAt(cells_, home.tree, home.point);
+        result_.pointLevel[p] = levelOfPoint(home.point);
+    }
+
+    const HexCells& cells_;
+    RefinedMesh& result_;
+    const std::vector<Label>& known_; // labels in the mesh of all; empty: they are the same
+};
+
+void setCellLevels(const Partition& partition, const Leaves& leaves, RefinedMesh& result) {
+    const Label firstCell = leaves.first[index(partition.first())];
+    result.mesh.cellCount = leaves.first[index(partition.end())] - firstCell;
+    result.cellLevel = freshList<Label>(index(result.mesh.cellCount));
+    parallelFor(partition.end() - partition.first(), [&](Label i) {
+        Label cell = leaves.first[index(partition.first() + i)] - firstCell;
+        for (const OctantCode code : leaves.of(partition.first() + i))
+            result.cellLevel[index(cell++)] = levelOf(code);
     });
+}
+
+/// The octants that any process wants to be divided: each asks for its share of the trees.
+RefinedOctants selectTogether(const HexCells& cells,
+                              const std::vector<Criterion>& criteria,
+                              const Processes& processes) {
+    const Partition even = evenPartition(cells.cellCount(), processes);
+    RefinedOctants refined = selectOctants(even.first(), even.end(), selection(cells, criteria));
+    for (std::vector<OctantKey>& level : refined)
+        level = processes.gather(level);
+    return refined;
+}
+
+std::vector<Label> firstCellsOf(const Partition& partition, const Leaves& leaves) {
+    std::vector<Label> cells;
+    for (const Label tree : partition.firstTree)
+        cells.push_back(leaves.first[index(tree)]);
+    return cells;
 }
 
 } // namespace
 
-RefinedMesh refine(const HexCells& cells, const RefineOptions& options) {
+RefinedMesh
+refine(const HexCells& cells, const RefineOptions& options, const Processes& processes) {
     const MacroMesh macro(cells.corners, toLabel(cells.points.size()));
-    RefinedOctants refined =
-        selectOctants(0, macro.cellCount(), selection(cells, options.criteria));
+    RefinedOctants refined = selectTogether(cells, options.criteria, processes);
     balance(macro, options.bufferLayers, refined);
-    const Leaves leaves = growForest(macro, refined);
     const TreeOctants octants = octantsByTree(macro, refined);
-    const PointTable table(macro, octants);
-    const RefinedFaces faces(macro, octants, leaves, table);
+    const Partition partition = partitionByLeaves(octants, processes);
+    const Leaves leaves = growForest(macro, refined, octants, partition);
+    const PointTable table(macro, octants, partition, processes);
+    RefinedFaces faces(macro, octants, leaves, table);
+    const std::vector<Label> firstCells = firstCellsOf(partition, leaves);
     RefinedMesh result;
+    setCellLevels(partition, leaves, result);
+    const auto rank = static_cast<std::size_t>(partition.rank);
+    if (!partition.isWhole()) faces.setOwnCells(firstCells[rank], firstCells[rank + 1]);
     {
-        std::vector<FaceList> parts = internalParts(macro.cellCount(), faces);
-        append(parts, result.mesh);
+        std::vector<InternalFaces> blocks = internalFaces(partition, faces);
+        addInner(blocks, result.mesh);
+        addPatches(cells, partition, faces, result.mesh);
+        if (!partition.isWhole()) {
+            addProcessPatches(blocks, firstCells, processes, result.mesh, result.addressing);
+            useOwnLabels(firstCells[rank], result.mesh, result.addressing);
+        }
     }
-    addPatches(cells, faces, result.mesh);
-    addPoints(cells, table, result);
-    result.mesh.cellZones = refinedZones(cells.cellZones, leaves);
-    result.mesh.cellCount = leaves.cellCount();
-    result.cellLevel = freshList<Label>(index(leaves.cellCount()));
-    parallelFor(leaves.cellCount(), [&](Label c) { result.cellLevel[index(c)] = leaves.level(c); });
+    PointSetter(cells, result, table.pointCount()).set(table);
+    result.mesh.cellZones = refinedZones(cells.cellZones, partition, leaves);
     return result;
 }
 

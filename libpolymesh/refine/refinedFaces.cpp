@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/refine/refinedFaces.h"
 
+#include <algorithm>
 #include <optional>
 
 namespace polymesh {
@@ -30,6 +31,14 @@ Across across(const MacroMesh& mesh, Label tree, const Octant& moved, std::size_
 Octant shifted(Octant octant, std::size_t side) {
     octant.anchor[side / 2] += side % 2 == 1 ? octant.size() : -octant.size();
     return octant;
+}
+
+/// Ends a face of which the points were added, so that it begins with the lowest one: then it does
+/// not matter from which side it was seen.
+void endFace(Rows<Label>& points) {
+    const auto begin = points.values.begin() + points.offsets.back();
+    std::rotate(begin, std::min_element(begin, points.values.end()), points.values.end());
+    points.offsets.push_back(toLabel(points.values.size()));
 }
 
 /// The quarter of an octant's side at the k-th corner of its loop, as the octant half as large that
@@ -70,18 +79,17 @@ void RefinedFaces::addContacts(Label tree,
                                std::size_t side,
                                Contacts& contacts) const {
     const Octant moved = shifted(leaf, side);
-    const Label cell = leaves_.cellAt(tree, leaf.anchor);
     const Across there = across(mesh_, tree, moved, side);
     if (there.tree < 0) return;
     const Label neighbour = leaves_.cellAt(there.tree, there.placed(moved).anchor);
-    if (leaves_.level(neighbour) <= leaf.level) {
-        if (neighbour > cell) contacts.add({neighbour, side, Contact::whole});
+    if (leaves_.levelAt(there.tree, neighbour) <= leaf.level) {
+        contacts.add({neighbour, side, Contact::whole});
         return;
     }
     for (std::size_t k = 0; k < 4; ++k) {
         const Octant outside = shifted(quarter(leaf, side, k), side);
         const Label fine = leaves_.cellAt(there.tree, there.placed(outside).anchor);
-        if (fine > cell) contacts.add({fine, side, k});
+        contacts.add({fine, side, k});
     }
 }
 
@@ -98,7 +106,7 @@ void RefinedFaces::addWhole(Label tree,
         const Label between = points_.find(tree, middle(corner, leaf.corner(loop[(k + 1) % 4])));
         if (between >= 0) faces.points.values.push_back(between);
     }
-    faces.points.offsets.push_back(toLabel(faces.points.values.size()));
+    endFace(faces.points);
 }
 
 void RefinedFaces::addQuarter(Label tree,
@@ -109,10 +117,20 @@ void RefinedFaces::addQuarter(Label tree,
     const Octant part = quarter(leaf, contact.side, contact.part);
     for (const std::size_t corner : loop)
         faces.points.values.push_back(points_.find(tree, part.corner(corner)));
-    faces.points.offsets.push_back(toLabel(faces.points.values.size()));
+    endFace(faces.points);
 }
 
-void RefinedFaces::addInternal(Label tree, FaceList& faces) const {
+void RefinedFaces::addFace(Label tree,
+                           const Octant& leaf,
+                           const Contact& contact,
+                           FaceList& faces) const {
+    if (contact.part == Contact::whole)
+        addWhole(tree, leaf, contact.side, faces);
+    else
+        addQuarter(tree, leaf, contact, faces);
+}
+
+void RefinedFaces::addInternal(Label tree, InternalFaces& faces) const {
     Label cell = leaves_.first[index(tree)];
     for (const OctantCode code : leaves_.of(tree)) {
         const Octant leaf = octantOf(code);
@@ -120,12 +138,15 @@ void RefinedFaces::addInternal(Label tree, FaceList& faces) const {
         for (std::size_t side = 0; side < 6; ++side)
             addContacts(tree, leaf, side, contacts);
         for (const Contact& contact : contacts.all()) {
-            faces.owner.push_back(cell);
-            faces.neighbour.push_back(contact.neighbour);
-            if (contact.part == Contact::whole)
-                addWhole(tree, leaf, contact.side, faces);
-            else
-                addQuarter(tree, leaf, contact, faces);
+            const bool isLower = contact.neighbour < cells_.first;
+            if (contact.neighbour < cell && !isLower) continue;
+            FaceList& list = isLower                              ? faces.toLower
+                             : contact.neighbour >= cells_.second ? faces.toHigher
+                                                                  : faces.inner;
+            list.owner.push_back(cell);
+            list.neighbour.push_back(contact.neighbour);
+            if (hasOthers_ && !isLower) list.place.push_back(faces.count++);
+            addFace(tree, leaf, contact, list);
         }
         ++cell;
     }

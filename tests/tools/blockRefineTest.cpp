@@ -69,6 +69,29 @@ TEST(BlockRefine, readsRegionsAndSetsOfTheDictionary) {
     expectValidMesh(box);
 }
 
+TEST(BlockRefine, refinesBlocksOfBlockMeshDictAndShorthands) {
+    const TemporaryCase box;
+    box.write(
+        "system/blockInitDict",
+        "cylinder { point1 (0 0 0); point2 (0 0 1); radius 1; cells (2 8 2); }\n"
+        "refinement { regions { a { type sphere; centre (1 0 0); radius 0.1; level 2; } } }\n");
+    ASSERT_EQ(box.run("blockInit -json r.json").status, 0);
+    EXPECT_EQ(nlohmann::json::parse(box.read("r.json"))["cellsOfLevel"].size(), 3);
+    expectValidMesh(box);
+    // Only the refinement here, the blocks as OpenFOAM has them.
+    box.write(
+        "system/blockInitDict",
+        "refinement { regions { a { type sphere; centre (1 0 0); radius 0.1; level 1; } } }\n");
+    box.write(
+        "system/blockMeshDict",
+        "vertices ((0 0 0) (1 0 0) (1 1 0) (0 1 0) (0 0 1) (1 0 1) (1 1 1) (0 1 1));\n"
+        "blocks (hex (0 1 2 3 4 5 6 7) (2 2 2) simpleGrading (1 1 1)); edges (); boundary ();\n");
+    const ProgramResult result = box.run("blockInit -json r.json");
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(nlohmann::json::parse(box.read("r.json"))["cellsOfLevel"], (std::vector<int>{7, 8}));
+    expectValidMesh(box);
+}
+
 TEST(BlockRefine, refusesWrongDictionariesByPlace) {
     expectRefused("{ surface { } }", {"blockInitDict:3", "surface", "surfaces"});
     expectRefused("{ surfaces { part.obj { levl 2; } } }", {"blockInitDict:3", "levl", "level"});

@@ -24,7 +24,8 @@ void expectAsP4est(const HexCells& cells, unsigned seed) {
     RefinedOctants refined = randomOctants(mesh.cellCount(), 3, seed);
     const Leaves expected = growBalancedForest(mesh, refined);
     balance(mesh, 1, refined);
-    const Leaves leaves = growForest(mesh, refined);
+    const Leaves leaves = growForest(
+        mesh, refined, octantsByTree(mesh, refined), evenPartition(mesh.cellCount(), Processes()));
     EXPECT_EQ(leaves.first, expected.first) << "seed " << seed;
     EXPECT_EQ(leaves.codes, expected.codes) << "seed " << seed;
 }

@@ -8,6 +8,7 @@
 #include "libpolymesh/mesh/cellGeometry.h"
 #include "libpolymesh/mesh/topology.h"
 #include "libpolymesh/mesh/validate.h"
+#include "libpolymesh/reference/tetgen.h"
 #include "libpolymesh/shapeSplit/splitCells.h"
 #include "tools/classifyReport.h"
 #include "tools/mpsSplitSets.h"
@@ -33,8 +34,8 @@ void split(ToolRun& tool, PolyMesh& mesh) {
     const TravellingSets travelling = takeSets(tool.meshDir(), mesh);
     tool.clock.start("split");
     const double volume = boundedVolume(mesh);
-    const ShapeSplitCounts counts =
-        splitUnacceptableCells(mesh, {travelling.cellZones, travelling.faceZones});
+    const ShapeSplitCounts counts = splitUnacceptableCells(
+        mesh, {{travelling.cellZones, travelling.faceZones}, tetgenTetrahedraliser()});
     const PolyMesh sets = removeSets(travelling, mesh);
     tool.clock.start("validate");
     requireValid(mesh, "the split mesh");

@@ -50,11 +50,12 @@ void reportSplit(ToolRun& tool,
              volumeAfter,
              std::abs(error));
     tool.say(
-        "  {} large faces cut; {} cells split together with a neighbour, {} cut first, {} split "
-        "though a warped face is folded",
+        "  {} large faces cut; {} cells split together with a neighbour, {} cut first, {} made "
+        "tetrahedra, {} split though a warped face is folded",
         counts.splitFaces,
         counts.unitedCells,
         counts.cutCells,
+        counts.filledCells,
         counts.foldedCells);
     tool.report["splitCells"] = counts.splitCells;
     tool.report["newCells"] = counts.newCells;
@@ -62,6 +63,7 @@ void reportSplit(ToolRun& tool,
     tool.report["splitFaces"] = counts.splitFaces;
     tool.report["unitedCells"] = counts.unitedCells;
     tool.report["cutCells"] = counts.cutCells;
+    tool.report["filledCells"] = counts.filledCells;
     tool.report["foldedCells"] = counts.foldedCells;
     tool.report["volume"] = volumeAfter;
     tool.report["volumeError"] = error;

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <memory>
 #include <numbers>
 #include <string>
 
@@ -76,6 +77,69 @@ Vec3 pointOf(const tetgenio& out, int point) {
     return {p[0], p[1], p[2]};
 }
 
+/// A triangulated surface as a complex.
+Complex complexOf(const TriSurface& surface) {
+    Complex complex;
+    complex.points = surface.points;
+    for (const auto& triangle : surface.triangles)
+        complex.polygons.add(triangle);
+    return complex;
+}
+
+/// A surface as numbers: how many points, their coordinates, three labels for each triangle.
+Numbers numbersOf(const TriSurface& surface) {
+    Numbers numbers{static_cast<double>(surface.pointCount())};
+    for (const Vec3& p : surface.points)
+        numbers.insert(numbers.end(), {p.x, p.y, p.z});
+    for (const auto& triangle : surface.triangles)
+        numbers.insert(numbers.end(), triangle.begin(), triangle.end());
+    return numbers;
+}
+
+Complex complexOf(const Numbers& numbers) {
+    Complex complex;
+    const auto points = static_cast<std::size_t>(numbers.front());
+    const auto* at = numbers.data() + 1;
+    for (std::size_t p = 0; p < points; ++p, at += 3)
+        complex.points.push_back({at[0], at[1], at[2]});
+    for (; at != numbers.data() + numbers.size(); at += 3)
+        complex.polygons.add(std::array{
+            static_cast<Label>(at[0]), static_cast<Label>(at[1]), static_cast<Label>(at[2])});
+    return complex;
+}
+
+/// The tetrahedra inside a surface as numbers: how many points are new, their coordinates, four
+/// labels for each tetrahedron. Empty when TetGen puts points on the surface.
+Numbers numbersOfTetrahedra(const Complex& surface) {
+    tetgenio in;
+    tetgenio out;
+    fill(in, surface);
+    std::string switches = "pYQ";
+    tetrahedralize(switches.data(), &in, &out);
+    if (out.numberoftrifaces != in.numberoffacets) return {};
+    Numbers numbers{static_cast<double>(out.numberofpoints - in.numberofpoints)};
+    for (int p = in.numberofpoints; p < out.numberofpoints; ++p)
+        for (int axis = 0; axis < 3; ++axis)
+            numbers.push_back(pointOf(out, p)[axis]);
+    for (int i = 0; i < 4 * out.numberoftetrahedra; ++i)
+        numbers.push_back(out.tetrahedronlist[i]);
+    return numbers;
+}
+
+TetMesh tetMeshOf(const Numbers& numbers) {
+    TetMesh mesh;
+    const auto newPoints = static_cast<std::size_t>(numbers.front());
+    const auto* at = numbers.data() + 1;
+    for (std::size_t p = 0; p < newPoints; ++p, at += 3)
+        mesh.newPoints.push_back({at[0], at[1], at[2]});
+    for (; at != numbers.data() + numbers.size(); at += 4)
+        mesh.tetrahedra.push_back({static_cast<Label>(at[0]),
+                                   static_cast<Label>(at[1]),
+                                   static_cast<Label>(at[2]),
+                                   static_cast<Label>(at[3])});
+    return mesh;
+}
+
 TetRegions meshComplex(const Complex& complex) {
     tetgenio in;
     tetgenio out;
@@ -122,13 +186,9 @@ double windingNumber(const TriSurface& surface, const Vec3& p) {
 }
 
 double volumeInside(const TriSurface& surface) {
-    Complex complex;
-    complex.points = surface.points;
-    for (const auto& triangle : surface.triangles)
-        complex.polygons.add(triangle);
     double volume = 0;
     double all = 0;
-    for (const auto& [attribute, region] : meshComplex(complex)) {
+    for (const auto& [attribute, region] : meshComplex(complexOf(surface))) {
         all += region.volume;
         const auto winding = std::lround(windingNumber(surface, region.inside));
         if (winding % 2 != 0) volume += region.volume;
@@ -197,6 +257,17 @@ tetgenVolumes(const PolyMesh& mesh, const Rows<Label>& cellFaces, std::span<cons
     });
 }
 
+std::function<std::optional<TetMesh>(const TriSurface&)> tetgenTetrahedraliser() {
+    const auto worker = std::make_shared<ChildWorker>(cellSeconds, [](const Numbers& question) {
+        return numbersOfTetrahedra(complexOf(question));
+    });
+    return [worker](const TriSurface& surface) -> std::optional<TetMesh> {
+        const auto answer = worker->ask(numbersOf(surface));
+        if (!answer || answer->empty()) return std::nullopt;
+        return tetMeshOf(*answer);
+    };
+}
+
 #else
 
 namespace {
@@ -218,6 +289,10 @@ std::optional<double> tetgenVolume(const TriSurface&) {
 std::vector<std::optional<double>>
 tetgenVolumes(const PolyMesh&, const Rows<Label>&, std::span<const Label>) {
     refuse();
+}
+
+std::function<std::optional<TetMesh>(const TriSurface&)> tetgenTetrahedraliser() {
+    return {};
 }
 
 #endif

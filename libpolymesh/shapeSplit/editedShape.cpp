@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/shapeSplit/editedShape.h"
 
+#include "libpolymesh/quality/editQuality.h"
 #include "libpolymesh/shapes/recognise.h"
 
 #include <algorithm>
@@ -30,10 +31,11 @@ bool isPositive(MeshEditor& editor, Label cell) {
     return editor.cellGeometry(cell).volume > rounding * size * size * size;
 }
 
-bool arePositive(MeshEditor& editor, const MeshEditor::Mark& mark) {
-    return std::ranges::all_of(editor.reshapedSince(mark), [&](Label c) {
-        return editor.isFrozen(c) || isPositive(editor, c);
-    });
+bool areSound(MeshEditor& editor, const MeshEditor::Mark& mark) {
+    std::vector<Label> cells = editor.reshapedSince(mark);
+    std::erase_if(cells, [&](Label c) { return editor.isFrozen(c); });
+    return std::ranges::all_of(cells, [&](Label c) { return isPositive(editor, c); }) &&
+           badnessOf(editor, cells).invalid == 0;
 }
 
 } // namespace polymesh

@@ -15,7 +15,8 @@ bool hasLargeFace(const MeshEditor& editor, Label cell);
 /// True when the cell has a positive volume that is not only rounding.
 bool isPositive(MeshEditor& editor, Label cell);
 
-/// True when all cells that have changed since the mark are positive.
-bool arePositive(MeshEditor& editor, const MeshEditor::Mark& mark);
+/// True when all cells that have changed since the mark are positive, closed beyond rounding, and
+/// have no face without area.
+bool areSound(MeshEditor& editor, const MeshEditor::Mark& mark);
 
 } // namespace polymesh

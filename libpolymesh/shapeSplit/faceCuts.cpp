@@ -247,6 +247,19 @@ bool isLow(const MeshEditor& editor, const Polygon& points, const Vec3& place) {
     return squaredNorm(place - face.centre) < 0.03 * norm(face.area);
 }
 
+/// Cuts a face into triangles round a point that is low over it such that they bound `more` volume
+/// [m^3]; false where there is none.
+bool raiseMiddle(MeshEditor& editor, Label f, double more) {
+    const Polygon points = editor.face(f).points;
+    const auto place = middleOfVolume(editor, points, points.size(), more);
+    if (!place || !isLow(editor, points, *place) ||
+        !arePartsSimple(editor, points, points.size(), *place))
+        return false;
+    const Label middle = editor.addPoint(*place, PointRank::surface);
+    replaceByParts(editor, f, partsFromMiddle(points, points.size(), middle));
+    return true;
+}
+
 } // namespace
 
 bool isPlane(const MeshEditor& editor, Label f) {
@@ -326,17 +339,11 @@ bool cutByChordsKeepingVolume(MeshEditor& editor, Label f, std::size_t most) {
             const FaceGeometry geometry = geometryOf(editor, editor.face(piece).points);
             gained += dot(geometry.area, geometry.centre - whole.centre) / 3;
         }
-        const Label largest = *std::ranges::max_element(pieces, {}, [&](Label piece) {
+        std::ranges::stable_sort(pieces, std::ranges::greater{}, [&](Label piece) {
             return squaredNorm(geometryOf(editor, editor.face(piece).points).area);
         });
-        const Polygon points = editor.face(largest).points;
-        const auto place = middleOfVolume(editor, points, points.size(), -gained);
-        if (place && isLow(editor, points, *place) &&
-            arePartsSimple(editor, points, points.size(), *place)) {
-            const Label middle = editor.addPoint(*place, PointRank::surface);
-            replaceByParts(editor, largest, partsFromMiddle(points, points.size(), middle));
-            return true;
-        }
+        for (const Label piece : pieces)
+            if (raiseMiddle(editor, piece, -gained)) return true;
     }
     editor.undoTo(mark);
     return false;

@@ -22,8 +22,14 @@ namespace polymesh {
 
 namespace {
 
-bool isDone(MeshEditor& editor, Label cell) {
-    return isAcceptable(editor, cell) || (!hasLargeFace(editor, cell) && innerPoint(editor, cell));
+/// True when pyramids can be made of a cell.
+bool hasApex(MeshEditor& editor, Label cell, bool mayFold) {
+    if (hasLargeFace(editor, cell)) return false;
+    return innerPoint(editor, cell) || (mayFold && pointBehindFaces(editor, cell));
+}
+
+bool isDone(MeshEditor& editor, Label cell, bool mayFold) {
+    return isAcceptable(editor, cell) || hasApex(editor, cell, mayFold);
 }
 
 /// Cuts the boundary faces of a cell that are not plane into triangles.
@@ -80,7 +86,7 @@ public:
         std::vector<Label> waiting{cell};
         for (int cuts = 0; !waiting.empty();) {
             const Label part = waiting.back();
-            if (isDone(editor_, part)) {
+            if (isDone(editor_, part, effort_.mayFold)) {
                 waiting.pop_back();
                 parts_.push_back(part);
                 continue;
@@ -108,15 +114,21 @@ private:
         const MeshEditor::Mark mark = editor_.mark();
         const Label added = cutCell(editor_, cell, candidate);
         std::optional<double> cost;
-        if (added >= 0 && keepsVolume(cell, added, before) && arePositive(editor_, mark)) {
-            constexpr double partNotDone = 100;
+        if (added >= 0 && keepsVolume(cell, added, before) && areSound(editor_, mark)) {
             cost = 0;
             for (const Label part : {cell, added})
-                *cost +=
-                    totalExcess(editor_, part, 0.01) + (isDone(editor_, part) ? 0 : partNotDone);
+                *cost += totalExcess(editor_, part, 0.01) + costOfPart(part);
         }
         editor_.undoTo(mark);
         return cost;
+    }
+
+    /// An acceptable part may be as flat as the faces that it was cut from.
+    double costOfPart(Label part) {
+        constexpr double notDone = 100;
+        constexpr double acceptableOnly = 10;
+        if (hasApex(editor_, part, effort_.mayFold)) return 0;
+        return isAcceptable(editor_, part) ? acceptableOnly : notDone;
     }
 
     bool keepsVolume(Label cell, Label added, const Before& before) {
@@ -182,11 +194,11 @@ std::optional<std::size_t> bestCorner(MeshEditor& editor, Label cell) {
     std::optional<std::size_t> best;
     std::ptrdiff_t fewest = 0;
     for (std::size_t corner = 0; corner < maxShapeFacePoints; ++corner) {
-        if (makeSharedPlane(editor, cell, corner) && isDone(editor, cell) &&
-            arePositive(editor, mark)) {
+        if (makeSharedPlane(editor, cell, corner) && isDone(editor, cell, false) &&
+            areSound(editor, mark)) {
             const std::ptrdiff_t left =
                 std::ranges::count_if(editor.reshapedSince(mark), [&](Label c) {
-                    return !editor.isFrozen(c) && !isDone(editor, c);
+                    return !editor.isFrozen(c) && !isDone(editor, c, false);
                 });
             if (!best || left < fewest) {
                 best = corner;
@@ -214,7 +226,7 @@ std::vector<Label> makeStarShaped(MeshEditor& editor, Label cell, const CutEffor
             for (const Label c : around)
                 makeBoundaryPlane(editor, c);
         StarCutter cutter(editor, effort);
-        if (cutter.cut(cell) && arePositive(editor, mark)) return cutter.parts();
+        if (cutter.cut(cell) && areSound(editor, mark)) return cutter.parts();
         editor.undoTo(mark);
     }
     return {};

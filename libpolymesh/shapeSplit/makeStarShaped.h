@@ -16,6 +16,7 @@ struct CutEffort {
     std::size_t candidates = 6; // for one cut
     std::int64_t tries = 200;   // looks at planes for one cut
     bool alongRims = false;     // cuts off points, edges and faces where planes do not help
+    bool mayFold = false;       // a point behind all faces is enough, though it does not see them
 };
 
 /// Cuts a cell of which no point sees all faces until each part is acceptable or has such a point.

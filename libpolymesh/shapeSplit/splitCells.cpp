@@ -9,6 +9,7 @@
 #include "libpolymesh/quality/starPoint.h"
 #include "libpolymesh/shapeSplit/editedShape.h"
 #include "libpolymesh/shapeSplit/faceCuts.h"
+#include "libpolymesh/shapeSplit/faceTriangles.h"
 #include "libpolymesh/shapeSplit/innerPoint.h"
 #include "libpolymesh/shapeSplit/makeStarShaped.h"
 #include "libpolymesh/shapeSplit/splitTogether.h"
@@ -16,6 +17,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <span>
@@ -29,6 +32,7 @@ namespace {
 struct Effort {
     CutEffort cut;
     bool mayFold = false; // take a point behind all faces where none sees them all
+    const Tetrahedraliser* tetrahedralise = nullptr;
 };
 
 /// What of a mesh has to stay where it is.
@@ -49,14 +53,13 @@ public:
 
     void split(const std::vector<Label>& cells) {
         waiting_ = cells;
-        for (std::size_t i = 0; i < waiting_.size(); ++i)
-            cutLargeFaces(waiting_[i]);
-        for (std::size_t i = 0; i < waiting_.size(); ++i)
-            cutConcaveFaces(waiting_[i]);
+        forAllWaiting([&](Label cell) { cutLargeFaces(cell); });
+        forAllWaiting([&](Label cell) { cutConcaveFaces(cell); });
         // A cut may lead to cuts of neighbours, but not for ever.
         Label cutsLeft = 100 + toLabel(waiting_.size());
-        for (std::size_t i = 0; i < waiting_.size() && cutsLeft > 0; ++i)
-            if (cutUnlessStarShaped(waiting_[i])) --cutsLeft;
+        forAllWaiting([&](Label cell) {
+            if (cutsLeft > 0 && cutUnlessStarShaped(cell)) --cutsLeft;
+        });
         waiting_.insert(waiting_.end(), parts_.begin(), parts_.end());
         std::ranges::sort(waiting_);
         waiting_.erase(std::unique(waiting_.begin(), waiting_.end()), waiting_.end());
@@ -65,6 +68,14 @@ public:
     }
 
 private:
+    /// Works on the waiting cells in turn, and then on those that the work has made wait.
+    template<class Work>
+    void forAllWaiting(const Work& work) {
+        std::size_t done = 0;
+        while (done < waiting_.size())
+            work(Label{waiting_[done++]}); // a copy: the list may grow, and move
+    }
+
     void cutLargeFaces(Label cell) {
         const MeshEditor::Mark mark = editor_.mark();
         const auto faces = editor_.cell(cell).faces; // a copy: cutting changes the list
@@ -74,7 +85,7 @@ private:
             const bool cut = cutLargeFace(f, size);
             counts_.splitFaces += cut ? 1 : 0;
         }
-        if (!arePositive(editor_, mark)) editor_.undoTo(mark);
+        if (!areSound(editor_, mark)) editor_.undoTo(mark);
         for (const Label c : editor_.reshapedSince(mark))
             if (c != cell) wait(c);
         editor_.commit();
@@ -86,8 +97,36 @@ private:
         const std::size_t parts = (size + 3) / 4; // each has two points more than edges
         return cutFromMiddle(editor_, f, parts) ||
                cutByChordsKeepingVolume(editor_, f, maxShapeFacePoints) ||
-               cutFromMiddle(editor_, f, size) || cutFromMiddle(editor_, f, parts, Parts::any) ||
-               cutFromMiddle(editor_, f, size, Parts::any);
+               cutFromMiddle(editor_, f, size) || cutVeryWarpedFace(f, size);
+    }
+
+    /// Of ways to cut a boundary face that is folded, seen against its normal, the one after which
+    /// the fewest faces of the cell cross.
+    bool cutVeryWarpedFace(Label f, std::size_t size) {
+        const std::size_t parts = (size + 3) / 4;
+        const std::vector<std::function<bool()>> ways{
+            [&] { return putTriangles(f, true); },
+            [&] { return cutFromMiddle(editor_, f, parts, Parts::any); },
+            [&] { return cutFromMiddle(editor_, f, size, Parts::any); }};
+        const MeshEditor::Mark mark = editor_.mark();
+        std::optional<std::size_t> best;
+        std::size_t fewest = std::numeric_limits<std::size_t>::max();
+        for (std::size_t i = 0; i < ways.size(); ++i) {
+            const std::size_t left =
+                ways[i]() ? facesInTheWay(editor_, editor_.face(f).owner).size() : fewest;
+            editor_.undoTo(mark);
+            if (left >= fewest) continue;
+            best = i;
+            fewest = left;
+        }
+        return best && ways[*best]();
+    }
+
+    bool putTriangles(Label f, bool mayTurn) {
+        const std::vector<FaceTriangles> ways = trianglesKeepingVolume(editor_, f);
+        if (ways.empty() || (ways.front().isTurned && !mayTurn)) return false;
+        replaceByTriangles(editor_, f, ways.front());
+        return true;
     }
 
     /// Cuts faces on which a pyramid would have its centre outside, unless that would make a cell
@@ -102,10 +141,9 @@ private:
             if (isOthers || isStarShaped(editor_, f)) continue;
             const MeshEditor::Mark mark = editor_.mark();
             const std::size_t most = editor_.face(f).points.size() - 1;
-            const bool cut = other < 0 && !isPlane(editor_, f)
-                                 ? cutByChordsKeepingVolume(editor_, f, most)
-                                 : cutByChords(editor_, f, most);
-            if (cut && arePositive(editor_, mark)) {
+            const bool cut = other < 0 && !isPlane(editor_, f) ? putTriangles(f, false)
+                                                               : cutByChords(editor_, f, most);
+            if (cut && areSound(editor_, mark)) {
                 ++counts_.splitFaces;
                 editor_.commit();
             } else {
@@ -120,7 +158,7 @@ private:
             foldPyramids(cell);
             return false;
         }
-        if (splitWithNeighbour(cell)) return false;
+        if (fill(cell) || splitWithNeighbour(cell)) return false;
         const MeshEditor::Mark mark = editor_.mark();
         const std::vector<Label> parts = makeStarShaped(editor_, cell, effort_.cut);
         if (parts.empty()) return false;
@@ -128,6 +166,73 @@ private:
         parts_.insert(parts_.end(), parts.begin(), parts.end());
         for (const Label c : editor_.reshapedSince(mark))
             if (std::ranges::find(parts, c) == parts.end()) wait(c);
+        editor_.commit();
+        return true;
+    }
+
+    /// Tetrahedra in the cell, or in the cell united with those beyond the faces that are in the
+    /// way, or with these faces cut into triangles.
+    bool fill(Label cell) {
+        if (!effort_.tetrahedralise || !*effort_.tetrahedralise) return false;
+        constexpr int tries = 6;
+        std::vector<Label> others;
+        std::vector<Label> refused; // cannot be united with the cell
+        std::vector<Label> inTheWay;
+        for (int i = 0; i < tries; ++i) {
+            if (const auto filled = fillTogether(editor_, cell, others, *effort_.tetrahedralise)) {
+                if (!filled->pieces.empty()) {
+                    ++counts_.filledCells;
+                    editor_.commit();
+                    return true;
+                }
+                inTheWay = filled->inTheWay;
+            } else {
+                refused.push_back(others.back());
+                others.pop_back();
+            }
+            const Label next = cellBeyond(inTheWay, cell, others, refused);
+            if (next < 0) break;
+            others.push_back(next);
+        }
+        return fillWithFacesCut(cell);
+    }
+
+    /// The first cell beyond some faces of a cell that is united with others with which these may
+    /// be united too and have not been refused; -1: there is none.
+    Label cellBeyond(const std::vector<Label>& faces,
+                     Label cell,
+                     const std::vector<Label>& others,
+                     const std::vector<Label>& refused) const {
+        const auto has = [](const std::vector<Label>& list, Label c) {
+            return std::ranges::find(list, c) != list.end();
+        };
+        const auto isInside = [&](Label c) { return c == cell || has(others, c); };
+        for (const Label f : faces) {
+            const EditFace& face = editor_.face(f);
+            if (face.isRemoved() || face.isBoundary()) continue;
+            for (const auto& [inner, outer] :
+                 {std::pair{face.owner, face.neighbour}, std::pair{face.neighbour, face.owner}})
+                if (isInside(inner) && !isInside(outer) && !has(refused, outer) &&
+                    mayUnite(inner, outer))
+                    return outer;
+        }
+        return -1;
+    }
+
+    /// Tetrahedra where shared faces are cut into triangles, so that neighbours have to be split.
+    bool fillWithFacesCut(Label cell) {
+        const MeshEditor::Mark mark = editor_.mark();
+        const auto faces = editor_.cell(cell).faces; // a copy: cutting changes the list
+        for (const Label f : faces)
+            if (!editor_.face(f).isBoundary()) cutByChords(editor_, f, 3);
+        if (!areSound(editor_, mark) ||
+            fillWithTetrahedra(editor_, cell, *effort_.tetrahedralise).pieces.empty()) {
+            editor_.undoTo(mark);
+            return false;
+        }
+        ++counts_.filledCells;
+        for (const Label c : editor_.reshapedSince(mark))
+            wait(c);
         editor_.commit();
         return true;
     }
@@ -256,6 +361,7 @@ private:
         Badness least = badnessRound(*first);
         if (least.failures == 0) return true;
         editor_.undoTo(mark);
+        const std::optional<Badness> filled = badnessFilled(cell);
         Vec3 best = *first;
         for (const Vec3& apex : innerPoints(editor_, cell)) {
             const Badness badness = badnessRound(apex);
@@ -264,8 +370,26 @@ private:
             least = badness;
             best = apex;
         }
+        if (filled && isBetter(*filled, least)) return fillWith(cell);
         makePyramids(editor_, cell, best);
         return true;
+    }
+
+    bool fillWith(Label cell) {
+        ++counts_.filledCells;
+        fillWithTetrahedra(editor_, cell, *effort_.tetrahedralise);
+        return true;
+    }
+
+    std::optional<Badness> badnessFilled(Label cell) {
+        if (!effort_.tetrahedralise || !*effort_.tetrahedralise) return std::nullopt;
+        const MeshEditor::Mark mark = editor_.mark();
+        const Filled filled = fillWithTetrahedra(editor_, cell, *effort_.tetrahedralise);
+        std::optional<Badness> badness;
+        if (!filled.pieces.empty())
+            badness = badnessOf(editor_, withNeighbours(editor_, filled.pieces));
+        editor_.undoTo(mark);
+        return badness;
     }
 
     MeshEditor& editor_;
@@ -336,7 +460,7 @@ struct SplitMesh {
 
 /// What holds for all passes.
 struct Limits {
-    BindingZones binding;
+    const ShapeSplitMeans& means;
     std::vector<std::uint8_t> isFragile; // [cell before the first pass] not to be cut
 };
 
@@ -353,7 +477,7 @@ void splitPass(SplitMesh& split,
             static_cast<Label>(std::ranges::lower_bound(part.cells, c) - part.cells.begin()));
     MeshEditor editor(part.mesh);
     editor.computeGeometry();
-    Bounds bounds = boundsOf(split.mesh, limits.binding);
+    Bounds bounds = boundsOf(split.mesh, limits.means.binding);
     for (const Label origin : split.origins)
         bounds.isFragile.push_back(limits.isFragile[index(origin)]);
     Splitter(editor, bounds, effort, split.counts).split(inPart);
@@ -369,8 +493,10 @@ SplitMesh splitInPasses(const PolyMesh& mesh, std::vector<Label> cells, const Li
     std::iota(split.origins.begin(), split.origins.end(), 0);
     split.counts.splitCells = toLabel(cells.size());
     // Few cells are left after the first pass; they are worth more.
+    const CutEffort thorough{12, 12, 300, true, true};
+    const Tetrahedraliser* tets = &limits.means.tetrahedralise;
     for (const Effort& effort :
-         {Effort{}, Effort{{12, 20, 400, true}, false}, Effort{{}, true}, Effort{{}, true}}) {
+         {Effort{{}, false, tets}, Effort{thorough, true, tets}, Effort{thorough, true, tets}}) {
         if (cells.empty()) break;
         splitPass(split, cells, effort, limits);
         cells = unacceptableCells(split.mesh);
@@ -384,9 +510,9 @@ SplitMesh splitInPasses(const PolyMesh& mesh, std::vector<Label> cells, const Li
 } // namespace
 
 ShapeSplitCounts
-splitUnacceptableCells(PolyMesh& mesh, const BindingZones& binding, std::vector<Label>* origins) {
+splitUnacceptableCells(PolyMesh& mesh, const ShapeSplitMeans& means, std::vector<Label>* origins) {
     const std::vector<Label> cells = unacceptableCells(mesh);
-    Limits limits{binding, std::vector<std::uint8_t>(index(mesh.cellCount), 0)};
+    Limits limits{means, std::vector<std::uint8_t>(index(mesh.cellCount), 0)};
     SplitMesh best = splitInPasses(mesh, cells, limits);
     // Where cuts have led to cells that nothing can be done about, another time without cuts there.
     constexpr int furtherTries = 2;

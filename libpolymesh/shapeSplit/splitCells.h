@@ -3,6 +3,7 @@
 #pragma once
 
 #include "libpolymesh/mesh/polyMesh.h"
+#include "libpolymesh/shapeSplit/fillWithTetrahedra.h"
 
 #include <cstddef>
 #include <limits>
@@ -18,6 +19,7 @@ struct ShapeSplitCounts {
     Label splitFaces = 0;  // faces with more points than any shape has, which were cut
     Label unitedCells = 0; // cells that could only be split together with a neighbour
     Label cutCells = 0;    // cells that had to be cut before a point inside saw all faces
+    Label filledCells = 0; // cells of which tetrahedra were made
     Label foldedCells = 0; // cells split round a point that does not see all of a warped face
     std::vector<Label> remaining; // cells that are still not acceptable, ascending
 };
@@ -28,6 +30,12 @@ struct ShapeSplitCounts {
 struct BindingZones {
     std::size_t cellZones = std::numeric_limits<std::size_t>::max();
     std::size_t faceZones = std::numeric_limits<std::size_t>::max();
+};
+
+/// What a split may use and has to mind.
+struct ShapeSplitMeans {
+    BindingZones binding;
+    Tetrahedraliser tetrahedralise; // of cells that cannot be cut in few pieces; may be empty
 };
 
 /// Replaces every cell whose shape STAR-CD does not accept (shapes/recognise.h) by acceptable ones:
@@ -42,7 +50,7 @@ struct BindingZones {
 /// Requires: a valid mesh. Cost: linear in the mesh with a small constant; some 20 microseconds
 /// for a cell to split, up to a second for one that has to be cut.
 ShapeSplitCounts splitUnacceptableCells(PolyMesh& mesh,
-                                        const BindingZones& binding = {},
+                                        const ShapeSplitMeans& means = {},
                                         std::vector<Label>* origins = nullptr);
 
 } // namespace polymesh

@@ -14,7 +14,7 @@ namespace polymesh {
 
 namespace {
 
-/// Removes the faces between the cells and gives those of `other` to `cell`.
+/// Removes the faces between two cells and gives those of `other` to `cell`.
 void unite(MeshEditor& editor, Label cell, Label other) {
     const auto faces = editor.cell(other).faces; // a copy: giving faces away changes the list
     for (const Label f : faces)
@@ -48,7 +48,7 @@ bool hasPointBetween(const MeshEditor& editor, Label cell, Label other) {
 
 } // namespace
 
-bool splitTogether(MeshEditor& editor, Label cell, std::span<const Label> others, bool mayFold) {
+bool uniteCells(MeshEditor& editor, Label cell, std::span<const Label> others) {
     const MeshEditor::Mark mark = editor.mark();
     for (const Label other : others) {
         if (hasPointBetween(editor, cell, other)) {
@@ -57,18 +57,47 @@ bool splitTogether(MeshEditor& editor, Label cell, std::span<const Label> others
         }
         unite(editor, cell, other);
     }
-    if (cellShape(editor.mesh(), cell) == CellShape::ball && !hasLargeFace(editor, cell)) {
+    if (cellShape(editor.mesh(), cell) == CellShape::ball) return true;
+    editor.undoTo(mark);
+    return false;
+}
+
+void nameAfterCells(MeshEditor& editor,
+                    std::span<const Label> pieces,
+                    std::span<const Label> others) {
+    for (std::size_t k = 0; k < others.size(); ++k)
+        rename(editor, pieces[pieces.size() - 1 - k], others[k]);
+}
+
+bool splitTogether(MeshEditor& editor, Label cell, std::span<const Label> others, bool mayFold) {
+    const MeshEditor::Mark mark = editor.mark();
+    if (!uniteCells(editor, cell, others)) return false;
+    if (!hasLargeFace(editor, cell)) {
         auto apex = innerPoint(editor, cell);
         if (!apex && mayFold) apex = pointBehindFaces(editor, cell);
         if (apex) {
-            const std::vector<Label> pyramids = makePyramids(editor, cell, *apex);
-            for (std::size_t k = 0; k < others.size(); ++k)
-                rename(editor, pyramids[pyramids.size() - 1 - k], others[k]);
+            nameAfterCells(editor, makePyramids(editor, cell, *apex), others);
             return true;
         }
     }
     editor.undoTo(mark);
     return false;
+}
+
+std::optional<Filled> fillTogether(MeshEditor& editor,
+                                   Label cell,
+                                   std::span<const Label> others,
+                                   const Tetrahedraliser& tetrahedralise) {
+    const MeshEditor::Mark mark = editor.mark();
+    if (!uniteCells(editor, cell, others)) return std::nullopt;
+    Filled filled = fillWithTetrahedra(editor, cell, tetrahedralise);
+    if (filled.pieces.size() > others.size()) {
+        nameAfterCells(editor, filled.pieces, others);
+    } else {
+        filled.pieces.clear();
+        editor.undoTo(mark);
+    }
+    return filled;
 }
 
 } // namespace polymesh

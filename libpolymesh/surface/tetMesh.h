@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: The polymesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "libpolymesh/base/label.h"
+#include "libpolymesh/geometry/vec3.h"
+
+#include <array>
+#include <vector>
+
+namespace polymesh {
+
+/// Tetrahedra that fill a closed TriSurface: its points come first, then those inside.
+/// The four points of a tetrahedron may come in either orientation.
+struct TetMesh {
+    std::vector<Vec3> newPoints;                  // [m] labelled on from the surface's points
+    std::vector<std::array<Label, 4>> tetrahedra; // point labels
+};
+
+} // namespace polymesh

@@ -55,11 +55,13 @@ ExitCode run(ToolRun& tool) {
     PolyMesh mesh = foam::readPolyMesh(tool.meshDir());
     if (isSplit) split(tool, mesh);
     tool.clock.start("classify");
-    const std::vector<CellShape> shapes = classifyCells(mesh, cellFaces(mesh));
+    const Rows<Label> facesOfCells = cellFaces(mesh);
+    const std::vector<CellShape> shapes = classifyCells(mesh, facesOfCells);
     tool.clock.start("write fields");
     if (!tool.settings.isOn("noFields")) writeShapes(tool, mesh, shapes);
     tool.clock.stop();
     const Label unrecognised = reportShapes(tool, shapes);
+    reportObstacles(tool, mesh, facesOfCells, shapes);
     return isSplit && unrecognised > 0 ? ExitCode::failure : ExitCode::success;
 }
 

@@ -4,6 +4,7 @@
 
 #include "formats/foam/cellField.h"
 #include "formats/foam/sets.h"
+#include "libpolymesh/shapes/obstacle.h"
 
 #include <cmath>
 
@@ -80,6 +81,23 @@ Label reportShapes(ToolRun& tool, const std::vector<CellShape>& shapes) {
     tool.report["cells"] = shapes.size();
     tool.report["unrecognised"] = counted.unrecognised;
     return counted.unrecognised;
+}
+
+void reportObstacles(ToolRun& tool,
+                     const PolyMesh& mesh,
+                     const Rows<Label>& cellFaces,
+                     const std::vector<CellShape>& shapes) {
+    std::vector<Label> cells;
+    for (std::size_t c = 0; c < shapes.size(); ++c)
+        if (!shapes[c].isRecognised()) cells.push_back(toLabel(c));
+    const auto counts = countObstacles(mesh, cellFaces, cells);
+    tool.report["obstacles"] = nlohmann::ordered_json::object();
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        if (counts[i] == 0) continue;
+        const std::string name(nameOf(static_cast<Obstacle>(i)));
+        tool.say("  {} {}", name, counts[i]);
+        tool.report["obstacles"][name] = counts[i];
+    }
 }
 
 void writeShapes(const ToolRun& tool, const PolyMesh& mesh, const std::vector<CellShape>& shapes) {

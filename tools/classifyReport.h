@@ -22,6 +22,12 @@ void reportSplit(ToolRun& tool,
 /// Prints and reports how many cells have each shape and how many have none, which it returns.
 Label reportShapes(ToolRun& tool, const std::vector<CellShape>& shapes);
 
+/// Prints and reports what keeps the unrecognised cells from being acceptable (shapes/obstacle.h).
+void reportObstacles(ToolRun& tool,
+                     const PolyMesh& mesh,
+                     const Rows<Label>& cellFaces,
+                     const std::vector<CellShape>& shapes);
+
 /// Writes what ParaView can colour: the fields 0/cellShape (number of the shape in the list of
 /// -listShapes) and 0/cellBaseShape (number of its base), both -1 for cells without a shape, and
 /// the set of those cells.

@@ -9,16 +9,14 @@
 #include "libpolymesh/quality/starPoint.h"
 #include "libpolymesh/shapeSplit/editedShape.h"
 #include "libpolymesh/shapeSplit/faceCuts.h"
-#include "libpolymesh/shapeSplit/faceTriangles.h"
 #include "libpolymesh/shapeSplit/innerPoint.h"
 #include "libpolymesh/shapeSplit/makeStarShaped.h"
 #include "libpolymesh/shapeSplit/splitTogether.h"
+#include "libpolymesh/shapeSplit/unsuitableFaces.h"
 #include "libpolymesh/shapes/recognise.h"
 
 #include <algorithm>
 #include <cstdint>
-#include <functional>
-#include <limits>
 #include <map>
 #include <numeric>
 #include <span>
@@ -53,8 +51,11 @@ public:
 
     void split(const std::vector<Label>& cells) {
         waiting_ = cells;
-        forAllWaiting([&](Label cell) { cutLargeFaces(cell); });
-        forAllWaiting([&](Label cell) { cutConcaveFaces(cell); });
+        forAllWaiting([&](Label cell) { cutFacesThatAreTooLarge(cell); });
+        forAllWaiting([&](Label cell) {
+            counts_.splitFaces += cutConcaveFaces(editor_, cell);
+            editor_.commit();
+        });
         // A cut may lead to cuts of neighbours, but not for ever.
         Label cutsLeft = 100 + toLabel(waiting_.size());
         forAllWaiting([&](Label cell) {
@@ -76,80 +77,12 @@ private:
             work(Label{waiting_[done++]}); // a copy: the list may grow, and move
     }
 
-    void cutLargeFaces(Label cell) {
+    void cutFacesThatAreTooLarge(Label cell) {
         const MeshEditor::Mark mark = editor_.mark();
-        const auto faces = editor_.cell(cell).faces; // a copy: cutting changes the list
-        for (const Label f : faces) {
-            const std::size_t size = editor_.face(f).points.size();
-            if (size <= maxShapeFacePoints) continue;
-            const bool cut = cutLargeFace(f, size);
-            counts_.splitFaces += cut ? 1 : 0;
-        }
-        if (!areSound(editor_, mark)) editor_.undoTo(mark);
+        counts_.splitFaces += cutLargeFaces(editor_, cell);
         for (const Label c : editor_.reshapedSince(mark))
             if (c != cell) wait(c);
         editor_.commit();
-    }
-
-    bool cutLargeFace(Label f, std::size_t size) {
-        if (!editor_.face(f).isBoundary() || isPlane(editor_, f))
-            return cutByChords(editor_, f, maxShapeFacePoints);
-        const std::size_t parts = (size + 3) / 4; // each has two points more than edges
-        return cutFromMiddle(editor_, f, parts) ||
-               cutByChordsKeepingVolume(editor_, f, maxShapeFacePoints) ||
-               cutFromMiddle(editor_, f, size) || cutVeryWarpedFace(f, size);
-    }
-
-    /// Of ways to cut a boundary face that is folded, seen against its normal, the one after which
-    /// the fewest faces of the cell cross.
-    bool cutVeryWarpedFace(Label f, std::size_t size) {
-        const std::size_t parts = (size + 3) / 4;
-        const std::vector<std::function<bool()>> ways{
-            [&] { return putTriangles(f, true); },
-            [&] { return cutFromMiddle(editor_, f, parts, Parts::any); },
-            [&] { return cutFromMiddle(editor_, f, size, Parts::any); }};
-        const MeshEditor::Mark mark = editor_.mark();
-        std::optional<std::size_t> best;
-        std::size_t fewest = std::numeric_limits<std::size_t>::max();
-        for (std::size_t i = 0; i < ways.size(); ++i) {
-            const std::size_t left =
-                ways[i]() ? facesInTheWay(editor_, editor_.face(f).owner).size() : fewest;
-            editor_.undoTo(mark);
-            if (left >= fewest) continue;
-            best = i;
-            fewest = left;
-        }
-        return best && ways[*best]();
-    }
-
-    bool putTriangles(Label f, bool mayTurn) {
-        const std::vector<FaceTriangles> ways = trianglesKeepingVolume(editor_, f);
-        if (ways.empty() || (ways.front().isTurned && !mayTurn)) return false;
-        replaceByTriangles(editor_, f, ways.front());
-        return true;
-    }
-
-    /// Cuts faces on which a pyramid would have its centre outside, unless that would make a cell
-    /// beyond unacceptable.
-    void cutConcaveFaces(Label cell) {
-        if (isAcceptable(editor_, cell)) return;
-        const auto faces = editor_.cell(cell).faces; // a copy: cutting changes the list
-        for (const Label f : faces) {
-            const Label other = editor_.otherCell(f, cell);
-            const bool isOthers =
-                other >= 0 && (editor_.isFrozen(other) || isAcceptable(editor_, other));
-            if (isOthers || isStarShaped(editor_, f)) continue;
-            const MeshEditor::Mark mark = editor_.mark();
-            const std::size_t most = editor_.face(f).points.size() - 1;
-            const bool cut = other < 0 && !isPlane(editor_, f) ? putTriangles(f, false)
-                                                               : cutByChords(editor_, f, most);
-            if (cut && areSound(editor_, mark)) {
-                ++counts_.splitFaces;
-                editor_.commit();
-            } else {
-                editor_.undoTo(mark);
-            }
-        }
     }
 
     bool cutUnlessStarShaped(Label cell) {
@@ -187,6 +120,7 @@ private:
                 }
                 inTheWay = filled->inTheWay;
             } else {
+                if (others.empty()) return false; // the cell itself is not a ball
                 refused.push_back(others.back());
                 others.pop_back();
             }

@@ -49,6 +49,13 @@ TEST(ClassifyCells, countsAndLeavesTheMeshAlone) {
     EXPECT_EQ(foam::readPolyMesh(hexes.meshDir()), before);
 }
 
+TEST(ClassifyCells, saysWhatKeepsCellsFromBeingAcceptable) {
+    const MeshCase one(test::hangingNodes());
+    const ProgramResult result = one.run("classifyCells -noFields -json report.json");
+    EXPECT_EQ(result.out, "hexahedron 4\nunrecognised 1\n  manyFaces 1\n");
+    EXPECT_EQ(one.report()["obstacles"]["manyFaces"], 1);
+}
+
 TEST(ClassifyCells, writesFieldsThatParaViewCanColour) {
     const MeshCase hexes(test::twoHexes());
     EXPECT_EQ(hexes.run("classifyCells -quiet -format ascii").status, 0);

@@ -35,6 +35,29 @@ TEST(InChildProcess, goesOnAfterACrashAnAbortAndAnExit) {
         EXPECT_EQ(results[done].value(), static_cast<double>(done));
 }
 
+TEST(ChildWorker, answersManyNumbersAndGoesOnAfterACrash) {
+    ChildWorker worker(10, [](const Numbers& question) {
+        if (question.empty()) std::abort();
+        Numbers answer;
+        for (const double x : question)
+            answer.push_back(2 * x);
+        return answer;
+    });
+    const Numbers many(300000, 1.5);
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_EQ(worker.ask(many), Numbers(many.size(), 3.0));
+        EXPECT_FALSE(worker.ask({}).has_value());
+    }
+}
+
+TEST(ChildWorker, ofWhichTwoLiveSideBySide) {
+    ChildWorker one(10, [](const Numbers&) { return Numbers{1}; });
+    ChildWorker two(10, [](const Numbers&) { return Numbers{2}; });
+    EXPECT_EQ(one.ask({}), Numbers{1});
+    EXPECT_EQ(two.ask({}), Numbers{2});
+    EXPECT_EQ(one.ask({}), Numbers{1});
+}
+
 TEST(InChildProcess, endsATaskThatHangs) {
     const auto results = inChildProcess(2, 1, [](Label i) {
         while (i == 0)

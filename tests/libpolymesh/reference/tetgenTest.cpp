@@ -47,6 +47,27 @@ TEST_F(Tetgen, measuresASurface) {
     EXPECT_NEAR(tetgenVolume(test::cuboid({0, 0, 0}, {1, 2, 3})).value(), 6, 1e-13);
 }
 
+TEST_F(Tetgen, fillsASurfaceAndLeavesItsTriangles) {
+    const auto fill = tetgenTetrahedraliser();
+    const TriSurface box = test::cuboid({0, 0, 0}, {1, 2, 3});
+    for (int i = 0; i < 2; ++i) {
+        const auto tets = fill(box);
+        ASSERT_TRUE(tets.has_value());
+        double volume = 0;
+        for (const auto& t : tets->tetrahedra) {
+            std::array<Vec3, 4> p;
+            for (std::size_t k = 0; k < 4; ++k)
+                p[k] = t[k] < box.pointCount() ? box.points[index(t[k])]
+                                               : tets->newPoints[index(t[k] - box.pointCount())];
+            volume += std::abs(dot(p[1] - p[0], cross(p[2] - p[0], p[3] - p[0]))) / 6;
+        }
+        EXPECT_NEAR(volume, 6, 1e-13);
+        TriSurface open = box; // in between: TetGen fails, and is asked again
+        open.triangles.pop_back();
+        EXPECT_FALSE(fill(open).has_value());
+    }
+}
+
 TEST_F(Tetgen, leavesOutCavities) {
     TriSurface outer = test::cuboid({0, 0, 0}, {3, 3, 3});
     const TriSurface inner = test::cuboid({1, 1, 1}, {2, 2, 2});

@@ -4,6 +4,7 @@
 
 #include "libpolymesh/mesh/topology.h"
 #include "libpolymesh/mesh/validate.h"
+#include "libpolymesh/reference/tetgen.h"
 #include "libpolymesh/shapes/classify.h"
 #include "tests/support/meshes.h"
 
@@ -18,11 +19,11 @@ Label unacceptable(const PolyMesh& mesh) {
 }
 
 /// Laws (1), (2), (5) of splitUnacceptableCells.
-ShapeSplitCounts splitByTheLaws(PolyMesh& mesh) {
+ShapeSplitCounts splitByTheLaws(PolyMesh& mesh, const ShapeSplitMeans& means = {}) {
     const double volume = volumeOf(mesh);
     const std::vector<double> before = computeGeometry(mesh).cellVolumes;
     std::vector<Label> origins;
-    const ShapeSplitCounts counts = splitUnacceptableCells(mesh, {}, &origins);
+    const ShapeSplitCounts counts = splitUnacceptableCells(mesh, means, &origins);
     EXPECT_TRUE(validate(mesh).empty());
     EXPECT_NEAR(volumeOf(mesh), volume, 1e-13 * volume);
     const std::vector<double> after = computeGeometry(mesh).cellVolumes;
@@ -154,6 +155,23 @@ TEST(SplitCells, partsBelongToTheZonesAndPatchesOfTheWhole) {
     EXPECT_EQ(mesh.cellZones[0].labels.size(), 9U);
     ASSERT_EQ(mesh.patches.size(), patches.size());
     EXPECT_EQ(mesh.patches[0].size, patches[0].size);
+}
+
+TEST(SplitCells, dividesWhatPlanesDoNotWithTetrahedra) {
+    if (!hasTetgen()) GTEST_SKIP() << "built without TetGen";
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+        // Zigzags, of which no point sees all sides, with warped sides.
+        std::vector<std::array<double, 2>> corners;
+        for (int i = 0; i <= 4; ++i)
+            corners.push_back({i % 2 == 0 ? 0.0 : 2.0, 1.0 * i});
+        for (int i = 4; i >= 0; --i)
+            corners.push_back({i % 2 == 0 ? 1.0 : 3.0, 1.0 * i});
+        std::ranges::reverse(corners);
+        PolyMesh mesh = jittered(prismOn(corners), 0.05, seed);
+        const ShapeSplitCounts counts = splitByTheLaws(mesh, {{}, tetgenTetrahedraliser()});
+        EXPECT_EQ(counts.filledCells, 1) << seed;
+        EXPECT_EQ(counts.foldedCells, 0) << seed;
+    }
 }
 
 TEST(SplitCells, givesTheSameMeshAgain) {

@@ -243,7 +243,7 @@ bool isShorthand(const foam::Dictionary& dictionary) {
 BlockMeshDescription readShorthands(const foam::Dictionary& dictionary,
                                     const ShorthandFiles& files) {
     std::vector<std::string> keys = shorthands;
-    keys.emplace_back(partList);
+    keys.insert(keys.end(), {partList, "refinement"}); // see refineDict.h
     refuseMisspelt(dictionary, keys);
     const std::vector<NamedDictionary> found = findShorthands(dictionary);
     if (found.size() == 1) return readPart(found[0].first, *found[0].second, files);

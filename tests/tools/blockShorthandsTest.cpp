@@ -75,6 +75,7 @@ TEST(Shorthands, whatIsWrongIsSaidWithFileAndLine) {
         {begin + "cells (3 16 4); patches { sides pipe; } }", "Dict:2: patches: there is no patch"},
         {std::string(cylinder) + cylinder, "Dict:3: there is another cylinder at line 1; several"},
         {std::string(cylinder) + "sphre { }", "Dict:3: unknown entry sphre; did you mean sphere?"},
+        {std::string(cylinder) + "refinemnt { }", "Dict:3: unknown entry refinemnt; did you mean"},
         {"spere { centre (0 0 0); }", "Dict:1: spere: unknown entry; the nearest is sphere"},
         {"parts ( cylinder { } );", "is missing"},
         {"parts ( box { } );", "Dict:1: parts: found box, expected one of: cartesian, cylinder"},

@@ -55,6 +55,7 @@ HexCells hexCells(const CartesianBox& box) {
     });
     cells.sides = boundarySides(box);
     cells.patches = mesh.patches();
+    cells.areBoxes = true;
     cells.map = [box](const HexCells&, Label cell, const Vec3& at) {
         const auto [i, j, k] = placeOf(box, cell);
         return Vec3{plane(box, 0, static_cast<double>(i) + at.x),

@@ -29,6 +29,9 @@ struct HexCells {
     std::vector<Patch> patches; // start and size are not set
     std::vector<Zone> cellZones;
 
+    /// Whether the cells are boxes along the axes.
+    bool areBoxes = false;
+
     /// How pointIn finds a point; the cells are these.
     std::function<Vec3(const HexCells& cells, Label cell, const Vec3& at)> map;
 

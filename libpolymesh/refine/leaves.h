@@ -25,7 +25,11 @@ struct Leaves {
     /// The cell of a tree that holds this anchor.
     Label cellAt(Label tree, const LatticePoint& anchor) const {
         const std::span<const OctantCode> own = of(tree);
-        if (own.size() == 1) return first[index(tree)];
+        // All leaves of the first one's level: then the place on the curve counts them.
+        const auto level = static_cast<unsigned>(levelOf(own.front()));
+        if (own.size() == std::size_t{1} << 3 * level)
+            return first[index(tree)] +
+                   static_cast<Label>(curvePlace(anchor) >> 3 * (latticeBits - level));
         const OctantCode last = octantCode({anchor, (1 << levelBits) - 1});
         const auto after = std::upper_bound(own.begin(), own.end(), last);
         return first[index(tree)] + static_cast<Label>(after - own.begin()) - 1;

@@ -45,6 +45,13 @@ public:
     /// The number of a point of a tree, -1 when the mesh has none there.
     Label find(Label tree, const LatticePoint& p) const;
 
+    /// Calls visit(point, number) for the points of a tree except its corners.
+    template<class Visit>
+    void forPointsOf(Label tree, Visit&& visit) const {
+        for (Label slot = keys_.offsets[index(tree)]; slot < keys_.offsets[index(tree) + 1]; ++slot)
+            visit(latticePoint(keys_.values[index(slot)]), labels_[index(slot)]);
+    }
+
     /// A point and the lowest tree that has it, from which its coordinates come.
     struct Home {
         Label label = -1;

@@ -17,7 +17,22 @@ Vec3 pointAt(const HexCells& cells, Label tree, const LatticePoint& p) {
     return cells.pointIn(tree, {scale * p[0], scale * p[1], scale * p[2]});
 }
 
+RefineCell boxOf(const HexCells& cells, Label tree, const Octant& octant) {
+    const Vec3& low = cells.points[index(cells.corners[index(tree)][0])];
+    const Vec3 size = cells.points[index(cells.corners[index(tree)][7])] - low;
+    const double part = 1.0 / (1 << octant.level);
+    RefineCell cell{low, 0.5 * part * norm(size), 0, octant.level, tree};
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::int32_t middle =
+            octant.anchor[static_cast<std::size_t>(axis)] + octant.size() / 2;
+        cell.centre[axis] += size[axis] * (1.0 / latticeSize) * middle;
+        cell.size = std::max(cell.size, part * size[axis]);
+    }
+    return cell;
+}
+
 RefineCell cellOf(const HexCells& cells, Label tree, const Octant& octant) {
+    if (cells.areBoxes) return boxOf(cells, tree, octant);
     std::array<Vec3, 8> corners;
     for (std::size_t c = 0; c < 8; ++c)
         corners[c] = octant.level == 0 ? cells.points[index(cells.corners[index(tree)][c])]
@@ -58,23 +73,22 @@ std::vector<InternalFaces> internalFaces(const Partition& partition, const Refin
     return blocks;
 }
 
-/// Appends the parts to the mesh, which gives each its place at once.
-void append(std::vector<FaceList> parts, PolyMesh& mesh) {
+/// Makes the faces of the mesh of the parts, in their order; gives their memory back.
+void joinFaces(std::vector<FaceList> parts, PolyMesh& mesh) {
     std::vector<std::array<Label, 3>> starts; // faces, neighbours and points before each part
-    std::array<Label, 3> at{
-        mesh.faceCount(), mesh.internalFaceCount(), toLabel(mesh.faces.values.size())};
+    std::array<Label, 3> at{};
     for (const FaceList& part : parts) {
         starts.push_back(at);
         at[0] += toLabel(part.owner.size());
         at[1] += toLabel(part.neighbour.size());
         at[2] += toLabel(part.points.values.size());
     }
-    mesh.owner.resize(index(at[0]));
-    mesh.neighbour.resize(index(at[1]));
-    mesh.faces.offsets.resize(index(at[0]) + 1);
-    mesh.faces.values.resize(index(at[2]));
+    mesh.owner = freshList<Label>(index(at[0]));
+    mesh.neighbour = freshList<Label>(index(at[1]));
+    mesh.faces.offsets = freshList<Label>(index(at[0]) + 1);
+    mesh.faces.values = freshList<Label>(index(at[2]));
     parallelBlocks(toLabel(parts.size()), 1, [&](Label p, Label, Label) {
-        FaceList part = std::move(parts[index(p)]);
+        const FaceList part = std::move(parts[index(p)]);
         const auto [face, internal, value] = starts[index(p)];
         std::ranges::copy(part.owner, mesh.owner.begin() + face);
         std::ranges::copy(part.neighbour, mesh.neighbour.begin() + internal);
@@ -84,7 +98,8 @@ void append(std::vector<FaceList> parts, PolyMesh& mesh) {
     });
 }
 
-void addInner(std::vector<InternalFaces>& blocks, PolyMesh& mesh) {
+/// The inner faces of the blocks; their places stay.
+std::vector<FaceList> takeInner(std::vector<InternalFaces>& blocks) {
     std::vector<FaceList> parts;
     parts.reserve(blocks.size());
     for (InternalFaces& block : blocks) {
@@ -93,25 +108,37 @@ void addInner(std::vector<InternalFaces>& blocks, PolyMesh& mesh) {
         block.inner = {};
         block.inner.place = std::move(places);
     }
-    append(std::move(parts), mesh);
+    return parts;
 }
 
-void addPatches(const HexCells& cells,
-                const Partition& partition,
-                const RefinedFaces& faces,
-                PolyMesh& mesh) {
+/// The faces of each patch of the initial mesh.
+std::vector<FaceList>
+patchFaces(const HexCells& cells, const Partition& partition, const RefinedFaces& faces) {
+    std::vector<FaceList> parts(cells.patches.size());
+    for (const HexBoundarySide& side : cells.sides)
+        if (partition.isOwn(side.cell))
+            faces.addBoundary({side.cell, index(side.side)}, parts[index(side.patch)]);
+    return parts;
+}
+
+void addFaces(const HexCells& cells,
+              const Partition& partition,
+              const RefinedFaces& faces,
+              std::vector<InternalFaces>& blocks,
+              PolyMesh& mesh) {
+    std::vector<FaceList> parts = takeInner(blocks);
+    Label start = 0;
+    for (const FaceList& part : parts)
+        start += toLabel(part.owner.size());
     mesh.patches = cells.patches;
-    std::size_t side = 0;
-    for (Label p = 0; p < toLabel(mesh.patches.size()); ++p) {
-        std::vector<FaceList> part(1);
-        for (; side < cells.sides.size() && cells.sides[side].patch == p; ++side)
-            if (partition.isOwn(cells.sides[side].cell))
-                faces.addBoundary({cells.sides[side].cell, index(cells.sides[side].side)}, part[0]);
-        Patch& patch = mesh.patches[index(p)];
-        patch.start = mesh.faceCount();
-        patch.size = toLabel(part[0].owner.size());
-        append(std::move(part), mesh);
+    std::vector<FaceList> ofPatches = patchFaces(cells, partition, faces);
+    for (std::size_t p = 0; p < ofPatches.size(); ++p) {
+        mesh.patches[p].start = start;
+        mesh.patches[p].size = toLabel(ofPatches[p].owner.size());
+        start += mesh.patches[p].size;
+        parts.push_back(std::move(ofPatches[p]));
     }
+    joinFaces(std::move(parts), mesh);
 }
 
 /// Cells by the labels that they have in this process.
@@ -212,8 +239,7 @@ refine(const HexCells& cells, const RefineOptions& options, const Processes& pro
     if (!partition.isWhole()) faces.setOwnCells(firstCells[rank], firstCells[rank + 1]);
     {
         std::vector<InternalFaces> blocks = internalFaces(partition, faces);
-        addInner(blocks, result.mesh);
-        addPatches(cells, partition, faces, result.mesh);
+        addFaces(cells, partition, faces, blocks, result.mesh);
         if (!partition.isWhole()) {
             addProcessPatches(blocks, firstCells, processes, result.mesh, result.addressing);
             useOwnLabels(firstCells[rank], result.mesh, result.addressing);

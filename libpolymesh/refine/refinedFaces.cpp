@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/refine/refinedFaces.h"
 
+#include "libpolymesh/refine/treePoints.h"
+
 #include <algorithm>
 #include <optional>
 
@@ -93,50 +95,53 @@ void RefinedFaces::addContacts(Label tree,
     }
 }
 
-void RefinedFaces::addWhole(Label tree,
+void RefinedFaces::addWhole(const TreePoints& points,
                             const Octant& leaf,
                             std::size_t side,
                             FaceList& faces) const {
-    const bool mayBeHalved = octants_.highest[index(tree)] > leaf.level;
+    const bool mayBeHalved = octants_.highest[index(points.tree())] > leaf.level;
     const std::array<std::size_t, 4>& loop = sideLoops[side];
     for (std::size_t k = 0; k < 4; ++k) {
         const LatticePoint corner = leaf.corner(loop[k]);
-        faces.points.values.push_back(points_.find(tree, corner));
+        faces.points.values.push_back(points.find(corner));
         if (!mayBeHalved) continue;
-        const Label between = points_.find(tree, middle(corner, leaf.corner(loop[(k + 1) % 4])));
+        const Label between = points.find(middle(corner, leaf.corner(loop[(k + 1) % 4])));
         if (between >= 0) faces.points.values.push_back(between);
     }
     endFace(faces.points);
 }
 
-void RefinedFaces::addQuarter(Label tree,
+void RefinedFaces::addQuarter(const TreePoints& points,
                               const Octant& leaf,
                               const Contact& contact,
                               FaceList& faces) const {
     const std::array<std::size_t, 4>& loop = sideLoops[contact.side];
     const Octant part = quarter(leaf, contact.side, contact.part);
     for (const std::size_t corner : loop)
-        faces.points.values.push_back(points_.find(tree, part.corner(corner)));
+        faces.points.values.push_back(points.find(part.corner(corner)));
     endFace(faces.points);
 }
 
-void RefinedFaces::addFace(Label tree,
+void RefinedFaces::addFace(const TreePoints& points,
                            const Octant& leaf,
                            const Contact& contact,
                            FaceList& faces) const {
     if (contact.part == Contact::whole)
-        addWhole(tree, leaf, contact.side, faces);
+        addWhole(points, leaf, contact.side, faces);
     else
-        addQuarter(tree, leaf, contact, faces);
+        addQuarter(points, leaf, contact, faces);
 }
 
 void RefinedFaces::addInternal(Label tree, InternalFaces& faces) const {
+    const TreePoints points(points_, tree, octants_.highest[index(tree)], leaves_.of(tree).size());
     Label cell = leaves_.first[index(tree)];
     for (const OctantCode code : leaves_.of(tree)) {
         const Octant leaf = octantOf(code);
         Contacts contacts;
         for (std::size_t side = 0; side < 6; ++side)
-            addContacts(tree, leaf, side, contacts);
+            // Inside the tree, what is below comes before on the curve and has the face.
+            if (side % 2 == 1 || leaf.anchor[side / 2] == 0)
+                addContacts(tree, leaf, side, contacts);
         for (const Contact& contact : contacts.all()) {
             const bool isLower = contact.neighbour < cells_.first;
             if (contact.neighbour < cell && !isLower) continue;
@@ -146,7 +151,7 @@ void RefinedFaces::addInternal(Label tree, InternalFaces& faces) const {
             list.owner.push_back(cell);
             list.neighbour.push_back(contact.neighbour);
             if (hasOthers_ && !isLower) list.place.push_back(faces.count++);
-            addFace(tree, leaf, contact, list);
+            addFace(points, leaf, contact, list);
         }
         ++cell;
     }
@@ -154,13 +159,14 @@ void RefinedFaces::addInternal(Label tree, InternalFaces& faces) const {
 
 void RefinedFaces::addBoundary(const TreeSide& at, FaceList& faces) const {
     Label cell = leaves_.first[index(at.tree)];
+    const TreePoints points(points_, at.tree, octants_.highest[index(at.tree)], 0);
     const std::size_t normal = at.side / 2;
     for (const OctantCode code : leaves_.of(at.tree)) {
         const Octant leaf = octantOf(code);
         const std::int32_t outer = leaf.anchor[normal] + (at.side % 2 == 1 ? leaf.size() : 0);
         if (outer == (at.side % 2 == 1 ? latticeSize : 0)) {
             faces.owner.push_back(cell);
-            addWhole(at.tree, leaf, at.side, faces);
+            addWhole(points, leaf, at.side, faces);
         }
         ++cell;
     }

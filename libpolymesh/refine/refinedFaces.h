@@ -10,6 +10,8 @@
 
 namespace polymesh {
 
+class TreePoints;
+
 /// Some faces of a refined mesh, in order. Each begins with its lowest point.
 struct FaceList {
     Rows<Label> points;           // outlines, outward from the owner
@@ -65,9 +67,16 @@ private:
     class Contacts;
 
     void addContacts(Label tree, const Octant& leaf, std::size_t side, Contacts& contacts) const;
-    void addFace(Label tree, const Octant& leaf, const Contact& contact, FaceList& faces) const;
-    void addWhole(Label tree, const Octant& leaf, std::size_t side, FaceList& faces) const;
-    void addQuarter(Label tree, const Octant& leaf, const Contact& contact, FaceList& faces) const;
+    void addFace(const TreePoints& points,
+                 const Octant& leaf,
+                 const Contact& contact,
+                 FaceList& faces) const;
+    void
+    addWhole(const TreePoints& points, const Octant& leaf, std::size_t side, FaceList& faces) const;
+    void addQuarter(const TreePoints& points,
+                    const Octant& leaf,
+                    const Contact& contact,
+                    FaceList& faces) const;
 
     const MacroMesh& mesh_;
     const TreeOctants& octants_;

@@ -170,6 +170,7 @@ Leaves growForest(const MacroMesh& mesh,
     for (Label tree = 0; tree < mesh.cellCount(); ++tree)
         leaves.first.push_back(leaves.first.back() + octants.leafCount(tree));
     leaves.start.assign(index(mesh.cellCount()), -1);
+    leaves.finest = octants.level;
     const Connectivity connectivity = connectivityOf(mesh, false);
     const Forest forest = forestOf(connectivity.get(), refined, !partition.isWhole());
     if (!partition.isWhole()) distribute(*forest, partition, leaves);

@@ -13,9 +13,10 @@ namespace polymesh {
 /// be unknown.
 /// Laws: (1) first has an entry a tree and one more, ascending; (2) the codes of a tree ascend.
 struct Leaves {
-    std::vector<Label> first;      // the first cell of each tree
-    std::vector<Label> start;      // where the codes of each tree begin; -1: unknown
-    std::vector<OctantCode> codes; // of the leaves that are known
+    std::vector<Label> first;        // the first cell of each tree
+    std::vector<Label> start;        // where the codes of each tree begin; -1: unknown
+    std::vector<OctantCode> codes;   // of the leaves that are known
+    std::vector<std::int8_t> finest; // the level of the finest leaf of each tree
 
     std::span<const OctantCode> of(Label tree) const {
         return {codes.data() + start[index(tree)],
@@ -25,8 +26,9 @@ struct Leaves {
     /// The cell of a tree that holds this anchor.
     Label cellAt(Label tree, const LatticePoint& anchor) const {
         const std::span<const OctantCode> own = of(tree);
-        // All leaves of the first one's level: then the place on the curve counts them.
-        const auto level = static_cast<unsigned>(levelOf(own.front()));
+        // As many as there can be of the finest level: then all are of it, and the place on the
+        // curve counts them.
+        const auto level = static_cast<unsigned>(finest[index(tree)]);
         if (own.size() == std::size_t{1} << 3 * level)
             return first[index(tree)] +
                    static_cast<Label>(curvePlace(anchor) >> 3 * (latticeBits - level));

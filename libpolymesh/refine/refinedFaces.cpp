@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/refine/refinedFaces.h"
 
+#include "libpolymesh/base/error.h"
 #include "libpolymesh/refine/treePoints.h"
 
 #include <algorithm>
@@ -36,10 +37,13 @@ Octant shifted(Octant octant, std::size_t side) {
 }
 
 /// Ends a face of which the points were added, so that it begins with the lowest one: then it does
-/// not matter from which side it was seen.
+/// not matter from which side it was seen. Throws WorkError when a corner has no point: by the
+/// construction all have.
 void endFace(Rows<Label>& points) {
     const auto begin = points.values.begin() + points.offsets.back();
-    std::rotate(begin, std::min_element(begin, points.values.end()), points.values.end());
+    const auto lowest = std::min_element(begin, points.values.end());
+    if (*lowest < 0) throw WorkError("a face of the refined mesh has a corner without a point");
+    std::rotate(begin, lowest, points.values.end());
     points.offsets.push_back(toLabel(points.values.size()));
 }
 

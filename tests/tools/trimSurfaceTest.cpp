@@ -345,4 +345,18 @@ TEST(TrimSurface, givesTheSameBytesWithAnyNumberOfThreads) {
     }
 }
 
+TEST(TrimSurface, refinedMeshesAreTrimmedExactly) {
+    const TrimCase box;
+    const std::string flange =
+        "-surface /usr/share/doc/openfoam-examples/examples/resources/geometry/flange.stl.gz ";
+    ASSERT_EQ(box.run("blockInit " + flange +
+                      "-cellSize 0.005 -levels '((0 1) (0.002 1))' -curvature '(3 3)'")
+                  .status,
+              0);
+    const ProgramResult exact =
+        box.run("trimSurface " + flange + "-deviation 0 -minEdge 0 -minVolume 0 -json report.json");
+    ASSERT_EQ(exact.status, 0) << exact.err;
+    EXPECT_NEAR(box.report()["volumeError"].get<double>(), 0, 1e-11);
+}
+
 } // namespace polymesh::tools

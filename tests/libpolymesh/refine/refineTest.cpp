@@ -100,6 +100,36 @@ TEST(Refine, isValidAndGradedHoweverCellsAreTurned) {
     }
 }
 
+TEST(Refine, isValidWhereTreesHaveAsManyLeavesAsEvenOnes) {
+    // 64 leaves, the first of level 2, but also coarser and finer ones.
+    const RefinedMesh refined = refine(hexCells({{{0, 0, 0}, {2, 1, 1}}, {2, 1, 1}}),
+                                       {{[](const RefineCell& cell) {
+                                            const Vec3& c = cell.centre;
+                                            if (cell.initialCell != 0 || c.z > 0.5) return false;
+                                            if (cell.level < 2) return c.y < 0.5 || cell.level == 0;
+                                            return cell.level == 2 && c.y < 0.25 && c.z < 0.25;
+                                        }},
+                                        1});
+    expectValid(refined);
+    expectGraded(refined);
+}
+
+TEST(Refine, isValidForManyRandomSelections) {
+    for (unsigned seed = 0; seed < 60; ++seed) {
+        std::mt19937 random(seed);
+        std::vector<Criterion> criteria;
+        const auto number = [&] { return 2 * static_cast<double>(random()) / 4294967296.0; };
+        for (unsigned i = 0; i < 1 + seed % 5; ++i) {
+            const Vec3 at{number(), number(), number()};
+            criteria.push_back(nearPoint(at, static_cast<int>(1 + random() % 5)));
+        }
+        const RefinedMesh refined = refine(hexCells({{{0, 0, 0}, {2, 2, 2}}, {2, 2, 2}}),
+                                           {criteria, static_cast<int>(1 + seed % 3)});
+        expectValid(refined);
+        expectGraded(refined);
+    }
+}
+
 TEST(Refine, isValidRoundEdgesOfAnyNumberOfCells) {
     for (const Label sectors : {3, 5, 6}) {
         const RefinedMesh refined =

@@ -17,10 +17,22 @@ public:
     }
 
     bool isChord(std::size_t i, std::size_t j) const {
-        return leavesInside(i, j) && leavesInside(j, i) && !crosses(i, j);
+        return leavesInside(i, j) && leavesInside(j, i) && !crosses(i, j) && liesAsAll(i, j) &&
+               liesAsAll(j, i);
     }
 
 private:
+    /// Whether the corners from one to another lie as the polygon does: a corner that stands out of
+    /// it would become a piece across it, maybe flat on another face of the cell.
+    bool liesAsAll(std::size_t from, std::size_t to) const {
+        constexpr double leastCosine = 0.4;
+        const std::size_t n = points_.size();
+        Vec3 area;
+        for (std::size_t k = (from + 1) % n; k != to; k = (k + 1) % n)
+            area += cross(points_[k] - points_[from], points_[(k + 1) % n] - points_[from]);
+        return dot(area, normal_) >= leastCosine * norm(area) * norm(normal_);
+    }
+
     /// On which side of the line from a to b the point c is.
     double side(const Vec3& a, const Vec3& b, const Vec3& c) const {
         return dot(cross(b - a, c - a), normal_);

@@ -10,7 +10,8 @@
 namespace polymesh {
 
 /// Whether the straight line between two corners of a polygon, places i and j, runs inside it, as
-/// seen along the polygon's normal; edges go by way of their bends.
+/// seen along the polygon's normal, and both sides of it lie more or less as the polygon does;
+/// edges go by way of their bends.
 bool isChord(const PolyMesh& mesh,
              const Bends& bends,
              std::span<const Label> polygon,

@@ -75,7 +75,11 @@ void split(Work& work, std::span<const FacePieces> pieces) {
 Label cut(Work& work, const Rows<Label>& cellFaces, std::span<const CellCones> parts) {
     const Label before = work.mesh().cellCount;
     work.edited.mesh = withCones(std::move(work.edited.mesh), cellFaces, parts);
-    work.edited.cellFrom.resize(index(work.mesh().cellCount), -1);
+    std::vector<Label>& from = work.edited.cellFrom;
+    for (const CellCones& c : parts) {
+        const Label origin = from[index(c.cell)];
+        from.insert(from.end(), index(c.groupCount - 1), origin);
+    }
     work.counts.newCells += work.mesh().cellCount - before;
     return work.mesh().cellCount - before;
 }
@@ -100,17 +104,21 @@ void addCounts(const DivisibleCounts& part, DivisibleCounts& counts) {
     counts.newCells += part.newCells;
 }
 
-/// Takes a step on the mesh round the cells that are left, and plans the whole again.
+/// Takes a step on the mesh round the cells that are left. Nothing outside changes, so that the
+/// cells that are left then are those left there; the rest of the plan is void.
 template<class Step>
 void inRegion(Work& work, Step&& step) {
-    if (cellsToHelp(work).empty()) return;
     const MeshRegion region = regionRound(work.edited, work.plan.inverted);
     Work part{region.part, {}, {}};
     planAgain(part);
     step(part);
     addCounts(part.counts, work.counts);
-    work.edited = withRegion(work.edited, region, part.edited);
-    planAgain(work);
+    JoinedRegion joined = withRegion(work.edited, region, part.edited);
+    work.edited = std::move(joined.whole);
+    work.plan = {};
+    for (const Label cell : part.plan.inverted)
+        work.plan.inverted.push_back(joined.cells[index(cell)]);
+    std::ranges::sort(work.plan.inverted);
 }
 
 /// Splits faces of cells that are stars, which others would only suffer from.
@@ -276,14 +284,20 @@ void becomeTetrahedra(Work& work, const KeptZones& zones) {
     }
 }
 
-/// Takes a step on the mesh round the cells that are left, and again as long as there are fewer.
+/// Takes a step on the mesh round the cells that are left, and again while that helps: what is good
+/// for one cell may be bad for its neighbours, which have their turn then.
 template<class Step>
 void inRegions(Work& work, Step&& step) {
-    constexpr int rounds = 4;
-    for (int round = 0; round < rounds && !work.plan.inverted.empty(); ++round) {
-        const std::size_t before = work.plan.inverted.size();
+    constexpr int rounds = 20;
+    constexpr int patience = 3; // rounds without fewer cells left
+    std::size_t fewest = work.plan.inverted.size();
+    for (int round = 0, idle = 0; round < rounds && idle < patience; ++round, ++idle) {
+        if (cellsToHelp(work).empty()) break;
+        const std::vector<Label> before = work.plan.inverted;
         inRegion(work, step);
-        if (work.plan.inverted.size() >= before) break;
+        if (std::ranges::includes(work.plan.inverted, before)) break;
+        if (work.plan.inverted.size() < fewest) idle = 0;
+        fewest = std::min(fewest, work.plan.inverted.size());
     }
 }
 
@@ -302,21 +316,56 @@ void help(Work& work, const KeptZones& zones) {
     });
 }
 
-} // namespace
-
-Divisible makeDivisible(PolyMesh mesh, const KeptZones& zones) {
-    const std::vector<FaceGeometry> boundary = boundaryGeometry(mesh);
+/// Does all that helps. `mesh` has the boundary faces of the undivided mesh.
+Work prepared(PolyMesh mesh, const KeptZones& zones) {
+    constexpr int rounds = 2;
     Work work;
+    work.edited.boundaryFrom.resize(index(mesh.faceCount() - mesh.internalFaceCount()));
+    std::iota(work.edited.boundaryFrom.begin(), work.edited.boundaryFrom.end(), 0);
+    work.edited.cellFrom.resize(index(mesh.cellCount));
+    std::iota(work.edited.cellFrom.begin(), work.edited.cellFrom.end(), 0);
     work.edited.mesh = std::move(mesh);
     work.edited.bends = takeBends(work.edited.mesh);
-    work.edited.cellFrom.resize(index(work.mesh().cellCount));
-    std::iota(work.edited.cellFrom.begin(), work.edited.cellFrom.end(), 0);
-    work.edited.boundaryFrom.resize(boundary.size());
-    std::iota(work.edited.boundaryFrom.begin(), work.edited.boundaryFrom.end(), 0);
     work.plan = planSubdivision(work.mesh(), work.edited.bends);
     work.counts.firstInverted = toLabel(work.plan.inverted.size());
     work.counts.movedPoints = untangle(work.mesh(), work.plan);
-    inRegions(work, [&](Work& part) { help(part, zones); });
+    for (int round = 0; round < rounds && !work.plan.inverted.empty(); ++round) {
+        inRegions(work, [&](Work& part) { help(part, zones); });
+        planAgain(work);
+    }
+    return work;
+}
+
+/// Joins cells of the undivided mesh that nothing could help with neighbours that are still whole.
+/// Returns how many.
+Label joinOrigins(const Work& work, PolyMesh& mesh, const KeptZones& zones) {
+    std::vector<Label> origins;
+    for (const Label cell : work.plan.inverted)
+        origins.push_back(work.edited.cellFrom[index(cell)]);
+    std::ranges::sort(origins);
+    origins.erase(std::unique(origins.begin(), origins.end()), origins.end());
+    const auto pairs = partnersOf(mesh, planSubdivision(mesh), origins, zones);
+    mesh = withJoinedCells(std::move(mesh), pairs);
+    return toLabel(pairs.size());
+}
+
+} // namespace
+
+Divisible makeDivisible(PolyMesh mesh, const KeptZones& zones) {
+    constexpr int rounds = 3;
+    const std::vector<FaceGeometry> boundary = boundaryGeometry(mesh);
+    Work work = prepared(mesh, zones);
+    const Label firstInverted = work.counts.firstInverted;
+    Label joined = 0;
+    for (int round = 0; round < rounds && !work.plan.inverted.empty(); ++round) {
+        const Label more = joinOrigins(work, mesh, zones);
+        if (more == 0) break;
+        joined += more;
+        Work again = prepared(mesh, zones);
+        again.counts.joinedCells += joined;
+        if (again.plan.inverted.size() < work.plan.inverted.size()) work = std::move(again);
+    }
+    work.counts.firstInverted = firstInverted;
     keepVolume(work.mesh(), work.edited.boundaryFrom, boundary, work.plan);
     return {std::move(work.edited.mesh),
             std::move(work.plan),

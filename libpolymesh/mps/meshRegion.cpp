@@ -203,7 +203,7 @@ public:
         numberCells();
     }
 
-    EditedMesh join() {
+    JoinedRegion join() {
         addInternal();
         for (std::size_t p = 0; p < mesh_.patches.size(); ++p)
             addPatch(p);
@@ -218,7 +218,7 @@ public:
         const Label firstRim = mesh_.faceCount() - whole_.rimFaces;
         for (const JoinedFace& f : list_)
             joined_.rimFaces += f.neighbour < 0 && f.wholeFace >= firstRim ? 1 : 0;
-        return std::move(joined_);
+        return {std::move(joined_), std::move(partCellNumber_)};
     }
 
 private:
@@ -238,8 +238,8 @@ private:
         for (const Label cell : region_.part.cellFrom)
             isInPart_[index(cell)] = 1;
         std::vector<Label> partCell(index(mesh_.cellCount), -1);
-        for (Label c = 0; c < part_.mesh.cellCount; ++c)
-            if (part_.cellFrom[index(c)] >= 0) partCell[index(part_.cellFrom[index(c)])] = c;
+        for (Label c = part_.mesh.cellCount - 1; c >= 0; --c)
+            partCell[index(part_.cellFrom[index(c)])] = c;
         wholeCellNumber_.assign(index(mesh_.cellCount), -1);
         partCellNumber_.assign(index(part_.mesh.cellCount), -1);
         for (Label cell = 0; cell < mesh_.cellCount; ++cell) {
@@ -249,10 +249,10 @@ private:
             wholeCellNumber_[index(cell)] = number;
             if (isInPart(cell)) partCellNumber_[index(partCell[index(cell)])] = number;
         }
-        for (Label& number : partCellNumber_) {
-            if (number >= 0) continue;
-            number = toLabel(joined_.cellFrom.size());
-            joined_.cellFrom.push_back(-1);
+        for (Label c = 0; c < part_.mesh.cellCount; ++c) {
+            if (partCellNumber_[index(c)] >= 0) continue;
+            partCellNumber_[index(c)] = toLabel(joined_.cellFrom.size());
+            joined_.cellFrom.push_back(whole_.cellFrom[index(part_.cellFrom[index(c)])]);
         }
         partFacePlace_.assign(index(faces.size()), -1);
         isPartFaceTurned_.assign(index(faces.size()), 0);
@@ -443,7 +443,7 @@ MeshRegion regionRound(const EditedMesh& whole, std::span<const Label> cells) {
     return RegionCutter(whole, cells).cut();
 }
 
-EditedMesh withRegion(const EditedMesh& whole, const MeshRegion& region, const EditedMesh& part) {
+JoinedRegion withRegion(const EditedMesh& whole, const MeshRegion& region, const EditedMesh& part) {
     return RegionJoiner(whole, region, part).join();
 }
 

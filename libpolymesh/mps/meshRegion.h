@@ -14,7 +14,8 @@ namespace polymesh {
 struct EditedMesh {
     PolyMesh mesh;
     Bends bends;
-    std::vector<Label> cellFrom;     // beside the cells: cell of another mesh, or -1
+    std::vector<Label> cellFrom;     // beside the cells: cell of another mesh; the first of those
+                                     // from one cell has its place
     std::vector<Label> boundaryFrom; // beside the boundary faces: face of another mesh
     Label rimFaces = 0; // so many of the last boundary faces have cells of the other mesh behind
 };
@@ -32,10 +33,15 @@ struct MeshRegion {
 /// constant for what is not in the region.
 MeshRegion regionRound(const EditedMesh& whole, std::span<const Label> cells);
 
+/// A mesh into which a region has been put back.
+struct JoinedRegion {
+    EditedMesh whole;
+    std::vector<Label> cells; // beside those of the part; label in the whole
+};
+
 /// Puts an edited region back: new points and cells come last, all orders are OpenFOAM's, zones and
-/// origins follow. Requires: the part has the points of `region` first, and its rim as it
-/// was.
+/// origins follow. Requires: the part has the points of `region` first, and its rim as it was.
 /// Cost: linear.
-EditedMesh withRegion(const EditedMesh& whole, const MeshRegion& region, const EditedMesh& part);
+JoinedRegion withRegion(const EditedMesh& whole, const MeshRegion& region, const EditedMesh& part);
 
 } // namespace polymesh

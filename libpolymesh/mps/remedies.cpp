@@ -489,6 +489,18 @@ starCells(const PolyMesh& mesh, const SubdivisionPlan& plan, std::span<const Lab
     return stars;
 }
 
+std::vector<std::pair<Label, Label>> partnersOf(const PolyMesh& mesh,
+                                                const SubdivisionPlan& plan,
+                                                std::span<const Label> cells,
+                                                const KeptZones& zones) {
+    const RemedySearch search(mesh, plan, cells, Reach::neighbours);
+    std::vector<Step> steps(cells.size());
+    parallelBlocks(toLabel(cells.size()), 1, [&](Label, Label i, Label) {
+        steps[index(i)].partner = search.partnerOf(cells[index(i)], zones);
+    });
+    return pairsOf(cells, steps);
+}
+
 PolyMesh withRemedies(PolyMesh mesh, const Remedies& remedies) {
     mesh.points.insert(mesh.points.end(), remedies.points.begin(), remedies.points.end());
     mesh = withPieces(std::move(mesh), remedies.faces);

@@ -49,6 +49,13 @@ Remedies remediesOf(const PolyMesh& mesh,
 std::vector<Label>
 starCells(const PolyMesh& mesh, const SubdivisionPlan& plan, std::span<const Label> cells);
 
+/// Neighbours to join these cells (ascending) with, the best for each as in (3); no cell is in two
+/// pairs. Cost: some ms a cell.
+std::vector<std::pair<Label, Label>> partnersOf(const PolyMesh& mesh,
+                                                const SubdivisionPlan& plan,
+                                                std::span<const Label> cells,
+                                                const KeptZones& zones = {});
+
 /// The mesh with these steps taken. Cost: linear.
 PolyMesh withRemedies(PolyMesh mesh, const Remedies& remedies);
 

@@ -57,10 +57,13 @@ private:
         return isInverted(at(c[1]) - at(c[0]), at(c[2]) - at(c[0]), at(c[3]) - at(c[0]));
     }
 
-    /// Whether moving points could help: a node of valence 2 has two corners of opposite sense, and
-    /// a corner of fixed points stays what it is.
+    /// Whether moving points could help: a node of valence 2 has two corners of opposite sense, a
+    /// corner of fixed points stays what it is, and cells with many bad corners are concave.
     bool isCurable(Label cell) {
+        constexpr std::ptrdiff_t many = 8;
         load(cell);
+        if (std::ranges::count_if(corners_, [&](const PartCorner& c) { return isBad(c); }) > many)
+            return false;
         const auto isFixed = [&](Label p) { return isFixed_[index(p)] != 0; };
         return std::ranges::none_of(cell_.nodes(), [](const auto& n) { return n.valence == 2; }) &&
                std::ranges::none_of(corners_, [&](const PartCorner& c) {

@@ -57,7 +57,7 @@ TEST(MeshRegion, hasTwoRingsAndARim) {
 TEST(MeshRegion, goesBackAsItWas) {
     const EditedMesh whole = edited(row(9));
     const MeshRegion region = regionRound(whole, std::vector<Label>{1, 7});
-    const EditedMesh back = withRegion(whole, region, region.part);
+    const EditedMesh back = withRegion(whole, region, region.part).whole;
     EXPECT_EQ(back.mesh, whole.mesh);
     EXPECT_EQ(back.cellFrom, whole.cellFrom);
     EXPECT_EQ(back.boundaryFrom, whole.boundaryFrom);
@@ -68,9 +68,9 @@ TEST(MeshRegion, regionOfARegionGoesBackThroughBoth) {
     const MeshRegion outer = regionRound(whole, std::vector<Label>{4});
     const MeshRegion inner = regionRound(outer.part, std::vector<Label>{0});
     EXPECT_EQ(inner.part.rimFaces, 2); // one of either rim
-    const EditedMesh part = withRegion(outer.part, inner, inner.part);
+    const EditedMesh part = withRegion(outer.part, inner, inner.part).whole;
     EXPECT_EQ(part.rimFaces, 2);
-    EXPECT_EQ(withRegion(whole, outer, part).mesh, whole.mesh);
+    EXPECT_EQ(withRegion(whole, outer, part).whole.mesh, whole.mesh);
 }
 
 TEST(MeshRegion, newCellsComeLastAndZonesFollow) {
@@ -79,13 +79,14 @@ TEST(MeshRegion, newCellsComeLastAndZonesFollow) {
     EditedMesh part = region.part;
     const CellCones cones{2, {0.5, 0.5, 0.5}, {0, 1, 2, 3, 4, 5}, 6};
     part.mesh = withCones(part.mesh, cellFaces(part.mesh), std::vector{cones});
-    part.cellFrom.resize(index(part.mesh.cellCount), -1);
-    const EditedMesh back = withRegion(whole, region, part);
+    part.cellFrom.resize(index(part.mesh.cellCount), part.cellFrom[2]);
+    const auto [back, cells] = withRegion(whole, region, part);
     EXPECT_TRUE(validate(back.mesh).empty());
     EXPECT_EQ(back.mesh.cellCount, 14);
+    EXPECT_EQ(cells, (std::vector<Label>{2, 3, 4, 5, 6, 9, 10, 11, 12, 13}));
     EXPECT_EQ(back.mesh.cellZones[0].labels,
               (std::vector<Label>{0, 2, 4, 6, 8, 9, 10, 11, 12, 13}));
-    EXPECT_EQ(std::ranges::count(back.cellFrom, -1), 5);
+    EXPECT_EQ(std::ranges::count(back.cellFrom, 4), 6);
     EXPECT_EQ(back.mesh.faceZones[0].labels.size(), 8U);
     EXPECT_NEAR(test::volumeOf(back.mesh), test::volumeOf(whole.mesh), 1e-12);
 }
@@ -96,9 +97,10 @@ TEST(MeshRegion, cellsMoveUpWhereOneIsJoined) {
     EditedMesh part = region.part;
     part.mesh = withJoinedCells(part.mesh, std::vector{std::pair<Label, Label>{2, 3}});
     part.cellFrom.erase(part.cellFrom.begin() + 3);
-    const EditedMesh back = withRegion(whole, region, part);
+    const auto [back, cells] = withRegion(whole, region, part);
     EXPECT_TRUE(validate(back.mesh).empty());
     EXPECT_EQ(back.mesh.cellCount, 8);
+    EXPECT_EQ(cells, (std::vector<Label>{2, 3, 4, 5}));
     EXPECT_EQ(back.cellFrom, (std::vector<Label>{0, 1, 2, 3, 4, 6, 7, 8}));
     EXPECT_EQ(back.mesh.faceZones[0].labels.size(), 7U);
 }

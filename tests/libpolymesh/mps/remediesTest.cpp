@@ -127,6 +127,33 @@ TEST(Chords, runInsideThePolygonAndRespectBends) {
     EXPECT_FALSE(isChord(u, bend, top, 0, 4));
 }
 
+TEST(Chords, doNotCutOffACornerThatStandsOutOfTheFace) {
+    PolyMesh mesh;
+    mesh.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.001, 0.5, 0.3}};
+    const std::vector<Label> warped{0, 1, 2, 3, 4};
+    EXPECT_FALSE(isChord(mesh, {}, warped, 0, 3)); // the triangle at point 4 would stand across
+    EXPECT_TRUE(isChord(mesh, {}, warped, 1, 4));
+    mesh.points[4] = {-0.3, 0.5, 0};
+    EXPECT_TRUE(isChord(mesh, {}, warped, 0, 3));
+}
+
+/// A cube with a flap on its back: a cell of its own between x = 0 and a corner in the same plane,
+/// which turns inside out; joined with the cube it is gone.
+TEST(Remedies, aCellInsideOutIsJoinedWithItsNeighbour) {
+    PolyMesh mesh = test::twoHexes();
+    // A tip of the second cell goes through the first one's face: the second can not be cut.
+    for (Vec3& p : mesh.points)
+        if (p.x == 2 && p.y == 0 && p.z == 0) p.x = 0.6;
+    const SubdivisionPlan plan = planSubdivision(mesh);
+    ASSERT_FALSE(plan.inverted.empty());
+    const auto pairs = partnersOf(mesh, plan, plan.inverted);
+    ASSERT_EQ(pairs.size(), 1U);
+    const double volume = test::volumeOf(mesh);
+    mesh = withJoinedCells(std::move(mesh), pairs);
+    EXPECT_EQ(mesh.cellCount, 1);
+    EXPECT_NEAR(test::volumeOf(mesh), volume, 1e-12 * volume);
+}
+
 TEST(StarPieces, aConvexCellIsOnePiece) {
     const PolyMesh cube = test::unitCube();
     const auto triangles = trianglesOf(cube, 0);

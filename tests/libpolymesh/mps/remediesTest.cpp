@@ -5,6 +5,7 @@
 #include "libpolymesh/mesh/topology.h"
 #include "libpolymesh/mps/chords.h"
 #include "libpolymesh/mps/joinCells.h"
+#include "libpolymesh/mps/makeDivisible.h"
 #include "libpolymesh/mps/starPieces.h"
 #include "tests/libpolymesh/mps/divided.h"
 #include "tests/support/meshes.h"
@@ -137,21 +138,53 @@ TEST(Chords, doNotCutOffACornerThatStandsOutOfTheFace) {
     EXPECT_TRUE(isChord(mesh, {}, warped, 0, 3));
 }
 
-/// A cube with a flap on its back: a cell of its own between x = 0 and a corner in the same plane,
-/// which turns inside out; joined with the cube it is gone.
-TEST(Remedies, aCellInsideOutIsJoinedWithItsNeighbour) {
-    PolyMesh mesh = test::twoHexes();
-    // A tip of the second cell goes through the first one's face: the second can not be cut.
-    for (Vec3& p : mesh.points)
-        if (p.x == 2 && p.y == 0 && p.z == 0) p.x = 0.6;
+/// A tetrahedron whose edge to the left has been moved to the plane of its back by an edge's
+/// collapse, so that a flap stands out there; over its top is a pyramid.
+PolyMesh tipWithFlap() {
+    PolyMesh mesh;
+    mesh.points = {{0, 0, 0},
+                   {-0.9536, -0.0249, 0},
+                   {-1, 0, 0},
+                   {0, 0, -0.7888},
+                   {0, -0.5363, 0},
+                   {-0.4, -0.15, 0.5}};
+    mesh.faces.add(std::vector<Label>{4, 0, 2, 1});
+    mesh.faces.add(std::vector<Label>{3, 0, 4});
+    mesh.faces.add(std::vector<Label>{1, 2, 0, 3});
+    mesh.faces.add(std::vector<Label>{1, 3, 4});
+    mesh.faces.add(std::vector<Label>{4, 0, 5});
+    mesh.faces.add(std::vector<Label>{0, 2, 5});
+    mesh.faces.add(std::vector<Label>{2, 1, 5});
+    mesh.faces.add(std::vector<Label>{1, 4, 5});
+    mesh.owner = {0, 0, 0, 0, 1, 1, 1, 1};
+    mesh.neighbour = {1};
+    mesh.cellCount = 2;
+    mesh.patches.push_back({"walls", "wall", 1, 7, {}});
+    return mesh;
+}
+
+TEST(Remedies, aTipHasAPartnerWithWhichItIsWhole) {
+    PolyMesh mesh = tipWithFlap();
+    EXPECT_TRUE(validate(mesh).empty());
     const SubdivisionPlan plan = planSubdivision(mesh);
-    ASSERT_FALSE(plan.inverted.empty());
+    ASSERT_EQ(plan.inverted, std::vector<Label>{0});
     const auto pairs = partnersOf(mesh, plan, plan.inverted);
     ASSERT_EQ(pairs.size(), 1U);
     const double volume = test::volumeOf(mesh);
     mesh = withJoinedCells(std::move(mesh), pairs);
+    EXPECT_TRUE(validate(mesh).empty());
     EXPECT_EQ(mesh.cellCount, 1);
-    EXPECT_NEAR(test::volumeOf(mesh), volume, 1e-12 * volume);
+    const Divisible work = makeDivisible(mesh);
+    EXPECT_TRUE(work.plan.inverted.empty());
+    EXPECT_NEAR(test::volumeOf(work.mesh), volume, 1e-12 * volume);
+}
+
+TEST(Remedies, cellsOfDifferentZonesAreNoPartners) {
+    PolyMesh mesh = tipWithFlap();
+    mesh.cellZones.push_back({"tip", {0}, {}});
+    const SubdivisionPlan plan = planSubdivision(mesh);
+    EXPECT_TRUE(partnersOf(mesh, plan, plan.inverted).empty());
+    EXPECT_EQ(partnersOf(mesh, plan, plan.inverted, {0, 0}).size(), 1U);
 }
 
 TEST(StarPieces, aConvexCellIsOnePiece) {

@@ -336,26 +336,13 @@ private:
             loops.emplace_back(loop.begin(), loop.end());
             if (!s.isOutward) std::ranges::reverse(loops.back());
         }
-        if (!isClosed(loops) || !areInSameZones(cell, other, zones)) return {};
+        if (!isClosed(loops) || !areInSameZones(mesh_, zones, cell, other)) return {};
         for (const Label face : lost) {
             for (const Label p : mesh_.faces[face])
                 if (!kept.contains(p)) return {};
-            for (const Zone& zone : firstZones(mesh_.faceZones, zones.faceZones))
-                if (std::ranges::binary_search(zone.labels, face)) return {};
+            if (isInZone(mesh_, zones, face)) return {};
         }
         return seen;
-    }
-
-    static std::span<const Zone> firstZones(const std::vector<Zone>& zones, std::size_t count) {
-        return std::span(zones).first(std::min(count, zones.size()));
-    }
-
-    bool areInSameZones(Label cell, Label other, const KeptZones& zones) const {
-        return std::ranges::all_of(firstZones(mesh_.cellZones, zones.cellZones),
-                                   [&](const Zone& zone) {
-                                       return std::ranges::binary_search(zone.labels, cell) ==
-                                              std::ranges::binary_search(zone.labels, other);
-                                   });
     }
 
     const PolyMesh& mesh_;

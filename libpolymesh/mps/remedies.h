@@ -4,10 +4,10 @@
 
 #include "libpolymesh/mesh/polyMesh.h"
 #include "libpolymesh/mps/cones.h"
+#include "libpolymesh/mps/keptZones.h"
 #include "libpolymesh/mps/midPointSubdivision.h"
 #include "libpolymesh/mps/splitFaces.h"
 
-#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -23,13 +23,6 @@ struct Remedies {
     std::vector<std::pair<Label, Label>> joined; // cells to join, in no order
 
     bool empty() const { return faces.empty() && cells.empty() && joined.empty(); }
-};
-
-/// What holds places together: cells on both sides of the borders of so many zones, from the first,
-/// are not joined; the others are sets that only follow.
-struct KeptZones {
-    std::size_t cellZones = std::numeric_limits<std::size_t>::max();
-    std::size_t faceZones = std::numeric_limits<std::size_t>::max();
 };
 
 /// Finds the next step for each of `cells` (ascending), whose edges do not bend:

@@ -8,7 +8,6 @@
 #include "libpolymesh/quality/mergeCells.h"
 #include "libpolymesh/quality/mergeFaces.h"
 #include "libpolymesh/quality/removeZeroSize.h"
-#include "libpolymesh/quality/repairCells.h"
 #include "libpolymesh/quality/splitConcaveCells.h"
 
 namespace polymesh {
@@ -38,7 +37,7 @@ CleanUpCounts improve(EditMesh& mesh, const CleanUpOptions& options, std::vector
     counts.mergedCells = mergeSmallCells(editor, options.minVolume);
     if (!options.mendsCells) return counts;
     counts.cutCells = splitConcaveCells(editor, options.concaveAngle).cuts;
-    const RepairCounts repaired = repairCells(editor);
+    const RepairCounts repaired = repairCells(editor, options.effort);
     counts.cutCells += repaired.cuts;
     counts.repairs = repaired.merges + repaired.collapses + repaired.splits + repaired.remakes;
     counts.work = repaired.work;

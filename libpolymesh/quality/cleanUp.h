@@ -3,6 +3,7 @@
 #pragma once
 
 #include "libpolymesh/quality/meshEditor.h"
+#include "libpolymesh/quality/repairCells.h"
 
 #include <cstdint>
 #include <span>
@@ -13,7 +14,8 @@ namespace polymesh {
 struct CleanUpOptions {
     double minEdge = 0;   // collapse edges shorter than this fraction of the cell size; 0: none
     double minVolume = 0; // merge cells smaller than this fraction of the cell size cubed; 0: none
-    bool mendsCells = true;    // cut concave cells and repair what checkMesh would fail
+    bool mendsCells = true; // cut concave cells and repair what checkMesh would fail
+    RepairEffort effort = RepairEffort::thorough; // of repairs
     double concaveAngle = 0.1; // [rad] cells are cut at edges with more than 180 degrees and this
 };
 

@@ -222,23 +222,26 @@ void remakeFailingCells(MeshEditor& editor,
 
 } // namespace
 
-RepairCounts repairCells(MeshEditor& editor) {
+RepairCounts repairCells(MeshEditor& editor, RepairEffort effort) {
     RepairCounts counts;
     std::vector<Label> cells = failingCells(editor);
     WorkBudget budget(40000 + std::int64_t{editor.cellCount()});
     mendFailingCells(editor, cells, budget, counts);
-    WorkBudget budgetOfSequences(workForSequences(stillFailing(editor, cells).size()));
-    mendBySequences(editor, cells, budgetOfSequences, counts);
-    remakeFailingCells(editor, cells, budget, counts);
-    if (counts.remakes > 0) mendBySequences(editor, cells, budgetOfSequences, counts);
-    counts.work = budget.used() + budgetOfSequences.used();
+    if (effort == RepairEffort::thorough) {
+        WorkBudget budgetOfSequences(workForSequences(stillFailing(editor, cells).size()));
+        mendBySequences(editor, cells, budgetOfSequences, counts);
+        remakeFailingCells(editor, cells, budget, counts);
+        if (counts.remakes > 0) mendBySequences(editor, cells, budgetOfSequences, counts);
+        counts.work += budgetOfSequences.used();
+    }
+    counts.work += budget.used();
     counts.left = stillFailing(editor, cells);
     return counts;
 }
 
-RepairCounts repairCells(EditMesh& mesh) {
+RepairCounts repairCells(EditMesh& mesh, RepairEffort effort) {
     MeshEditor editor(mesh);
-    return repairCells(editor);
+    return repairCells(editor, effort);
 }
 
 } // namespace polymesh

@@ -9,6 +9,12 @@
 
 namespace polymesh {
 
+/// How hard to try.
+enum class RepairEffort : std::uint8_t {
+    quick,   // single changes
+    thorough // also sequences of changes that help only together, and cells made anew
+};
+
 /// What repairCells did.
 struct RepairCounts {
     Label bad = 0;           // cells that checkMesh would fail, before
@@ -28,8 +34,9 @@ struct RepairCounts {
 /// boundary are collapsed only if the volume hardly changes. Where nothing improves, a narrow strip
 /// may be collapsed though that moves the trouble on to the next cell: at most 8 times for each
 /// cell that is bad before. Ends when nothing improves any more, at the latest after 50 changes for
-/// each cell that is bad before. Cost: a look at each cell, about a millisecond for a bad one.
-RepairCounts repairCells(EditMesh& mesh);
-RepairCounts repairCells(MeshEditor& editor);
+/// each cell that is bad before. Cost: a look at each cell, about a millisecond for a bad one, many
+/// for those that need sequences.
+RepairCounts repairCells(EditMesh& mesh, RepairEffort effort);
+RepairCounts repairCells(MeshEditor& editor, RepairEffort effort);
 
 } // namespace polymesh

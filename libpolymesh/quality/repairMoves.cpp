@@ -460,8 +460,7 @@ std::optional<std::vector<Label>> makeMove(MeshEditor& editor, const RepairMove&
     const std::vector<Label> reshaped = editor.reshapedSince(mark);
     cells.insert(cells.end(), reshaped.begin(), reshaped.end());
     std::ranges::sort(cells);
-    const auto repeated = std::ranges::unique(cells);
-    cells.erase(repeated.begin(), repeated.end());
+    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
     std::erase_if(cells, [&](Label c) { return editor.cell(c).isRemoved() || editor.isFrozen(c); });
     return cells;
 }

@@ -83,12 +83,17 @@ private:
             if (input_.arrangement.isPierce(point)) kept_.keep(point);
     }
 
+    /// How far a point that is not kept may be from its face or chord [m]; no matter when exact:
+    /// what is free then lies between exactly coplanar triangles.
+    double faceTolerance(Label c) const {
+        if (isExact_) return Box::inf;
+        return tolerances_[index(c)];
+    }
+
     void keepOnFace(Label f) {
         double tolerance = Box::inf;
         for (const Label c : input_.probe.faceCells[index(f)])
-            if (c >= 0) tolerance = std::min(tolerance, tolerances_[index(c)]);
-        // Points still free at deviation 0 lie between exactly coplanar triangles.
-        if (isExact_) tolerance = Box::inf;
+            if (c >= 0) tolerance = std::min(tolerance, faceTolerance(c));
         for (Label k = loops_.offsets[index(f)]; k < loops_.offsets[index(f) + 1]; ++k) {
             const auto polygon = loops_.polygons[k];
             if (std::ranges::all_of(polygon, kept_)) continue;
@@ -131,7 +136,7 @@ private:
     bool raiseBadFaces(Label c, CellGroups& groups) {
         groups.build(input_, c, levels_);
         groups.reduce(input_, tolerances_[index(c)], kept_);
-        groups.checkFaces(input_, loops_, isExact_ ? Box::inf : tolerances_[index(c)], kept_);
+        groups.checkFaces(input_, loops_, faceTolerance(c), kept_);
         return groups.raiseBad();
     }
 

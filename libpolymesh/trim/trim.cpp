@@ -58,12 +58,14 @@ void tidyTouchingFaces(EditPart& part, TrimSummary& summary) {
 }
 
 /// Collapses what coincides, then what the user wants cleaned up. Returns the work on repairs.
-std::int64_t tidy(EditPart& part, const TrimOptions& options, TrimSummary& summary) {
+std::int64_t
+tidy(EditPart& part, const TrimOptions& options, RepairEffort effort, TrimSummary& summary) {
     const CleanUpCounts counts = cleanUp(part.mesh,
                                          part.representative,
                                          {.minEdge = options.minEdge,
                                           .minVolume = options.minVolume,
-                                          .mendsCells = options.mendsCells});
+                                          .mendsCells = options.mendsCells,
+                                          .effort = effort});
     refuseBroken(counts.brokenCells);
     summary.mergedCells += counts.zeroCells + counts.mergedCells;
     summary.collapsedEdges = counts.collapsedEdges;
@@ -115,58 +117,83 @@ struct CleanPieces {
     std::int64_t work = 0; // on repairs, see WorkBudget
 };
 
-/// Makes the pieces and cleans them up. Where that fails (WorkError) and `openPart` is given, the
-/// part as it is then goes there.
-CleanPieces cleanPieces(PolyMesh& mesh,
-                        MeshCut& cut,
-                        const FeaturedSurface& surface,
-                        const TrimOptions& options,
-                        std::span<const FidelityPlace> places,
-                        EditPart* openPart = nullptr) {
-    Pieces pieces = makePieces(mesh, cut, surface, options, places);
-    CleanPieces clean{std::move(pieces.part), {}, 0};
-    clean.summary.holedFaces = pieces.holedFaces;
-    try {
-        if (pieces.mayTouch) tidyTouchingFaces(clean.part, clean.summary);
-        clean.work = tidy(clean.part, options, clean.summary);
-    } catch (const WorkError&) {
-        if (openPart) *openPart = std::move(clean.part);
-        throw;
-    }
-    return clean;
-}
+/// Makes clean pieces of the cells of one mesh in several ways and keeps the best.
+class PieceMaker {
+public:
+    PieceMaker(PolyMesh& mesh,
+               MeshCut& cut,
+               const FeaturedSurface& surface,
+               const TrimOptions& options)
+        : mesh_(mesh), cut_(cut), surface_(surface), options_(options) {}
 
-/// Makes the pieces again where clean-up has left a few bad cells, with more and with less of the
-/// surface round these: the cells come out otherwise there, and nowhere else.
-void tryOtherDeviations(PolyMesh& mesh,
-                        MeshCut& cut,
-                        const FeaturedSurface& surface,
-                        TrimOptions options,
-                        CleanPieces& best) {
-    constexpr std::array<double, 4> factors{0.3, 2, 0.1, 4};
-    constexpr Label mostBadCells = 20;       // more: the mesh is too coarse for the surface
-    constexpr std::int64_t mostWork = 60000; // some two seconds
-    std::int64_t work = best.work;
-    std::vector<FidelityPlace> places;
-    for (const double factor : factors) {
-        const Label bad = best.summary.badCells;
-        if (bad == 0 || bad > mostBadCells || work > mostWork) return;
-        if (places.empty()) options.onStage("try again");
-        options.onStage = [](const std::string&) {};
-        std::vector<FidelityPlace> tried = places;
-        for (const Box& box : findBadPlaces(best.part, false))
-            tried.push_back({box, factor});
+    /// Makes pieces. Where single repairs leave bad cells, these are made again with more and less
+    /// of the surface round them: they come out otherwise, and the rest as before. Then the same
+    /// with thorough repairs. Where pieces cannot be cleaned up (WorkError), `openPart` is them.
+    CleanPieces best(EditPart& openPart) {
+        const bool mayTryAgain =
+            cut_.settled.empty() && options_.deviation > 0 && options_.mendsCells;
+        if (!mayTryAgain) return make({}, RepairEffort::thorough, &openPart);
+        CleanPieces best = make({}, RepairEffort::quick, &openPart);
+        if (best.summary.badCells == 0) return best;
+        options_.onStage("try again");
+        options_.onStage = [](const std::string&) {};
+        tryOtherDeviations(RepairEffort::quick, best);
+        if (best.summary.badCells == 0) return best;
+        takeIfBetter(places_, RepairEffort::thorough, best);
+        tryOtherDeviations(RepairEffort::thorough, best);
+        return best;
+    }
+
+private:
+    CleanPieces
+    make(std::span<const FidelityPlace> places, RepairEffort effort, EditPart* openPart = nullptr) {
+        Pieces pieces = makePieces(mesh_, cut_, surface_, options_, places);
+        CleanPieces clean{std::move(pieces.part), {}, 0};
+        clean.summary.holedFaces = pieces.holedFaces;
         try {
-            CleanPieces other = cleanPieces(mesh, cut, surface, options, tried);
-            work += other.work;
-            if (other.summary.badCells >= bad) continue;
-            best = std::move(other);
-            places = std::move(tried);
+            if (pieces.mayTouch) tidyTouchingFaces(clean.part, clean.summary);
+            clean.work = tidy(clean.part, options_, effort, clean.summary);
         } catch (const WorkError&) {
-            continue; // what there is has no such fault
+            if (openPart) *openPart = std::move(clean.part);
+            throw;
+        }
+        return clean;
+    }
+
+    /// Makes pieces with these places and keeps both where fewer cells are bad.
+    void takeIfBetter(std::vector<FidelityPlace> places, RepairEffort effort, CleanPieces& best) {
+        try {
+            CleanPieces other = make(places, effort);
+            if (effort == RepairEffort::thorough) work_ += other.work;
+            if (other.summary.badCells >= best.summary.badCells) return;
+            best = std::move(other);
+            places_ = std::move(places);
+        } catch (const WorkError&) {
+            return; // what there is has no such fault
         }
     }
-}
+
+    void tryOtherDeviations(RepairEffort effort, CleanPieces& best) {
+        constexpr std::array<double, 6> factors{0.3, 2, 0.1, 4, 0.6, 1.4};
+        constexpr Label mostBadCells = 20;       // more: the mesh is too coarse for the surface
+        constexpr std::int64_t mostWork = 60000; // some two seconds
+        for (const double factor : factors) {
+            const Label bad = best.summary.badCells;
+            if (bad == 0 || bad > mostBadCells || work_ > mostWork) return;
+            std::vector<FidelityPlace> places = places_;
+            for (const Box& box : findBadPlaces(best.part, false))
+                places.push_back({box, factor});
+            takeIfBetter(std::move(places), effort, best);
+        }
+    }
+
+    PolyMesh& mesh_;
+    MeshCut& cut_;
+    const FeaturedSurface& surface_;
+    TrimOptions options_;
+    std::vector<FidelityPlace> places_; // of the best pieces
+    std::int64_t work_ = 0;             // on thorough repairs
+};
 
 /// Trims a mesh whose nodes have been adjusted.
 Cut cutMesh(PolyMesh mesh,
@@ -177,13 +204,11 @@ Cut cutMesh(PolyMesh mesh,
     EditPart openPart;
     CleanPieces clean;
     try {
-        clean = cleanPieces(mesh, meshCut, surface, options, {}, &openPart);
+        clean = PieceMaker(mesh, meshCut, surface, options).best(openPart);
     } catch (const WorkError&) {
         if (adjusted.moved.empty()) throw;
         return {{}, findBadPlaces(openPart, true), true};
     }
-    if (meshCut.settled.empty() && options.deviation > 0 && options.mendsCells)
-        tryOtherDeviations(mesh, meshCut, surface, options, clean);
     meshCut = {};
 
     Cut cut;

@@ -39,7 +39,7 @@ TEST(RepairCells, leavesFewerFailures) {
         EditMesh mesh = sliverMesh(distance);
         const Badness before = test::totalBadness(mesh);
         const double volume = test::totalVolume(mesh);
-        const RepairCounts counts = repairCells(mesh);
+        const RepairCounts counts = repairCells(mesh, RepairEffort::thorough);
         const Badness after = test::totalBadness(mesh);
         EXPECT_EQ(validateEdit(mesh), Defects());
         EXPECT_TRUE(isNoWorse(after, before));

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace polymesh {
 
@@ -286,10 +287,12 @@ AdjustedNodes adjustNodes(PolyMesh& mesh,
     const std::vector<NearNode> near =
         findNearNodes(mesh, *surface.surface, farthestReach(options), avoids);
     std::vector<NodeMove> moves = findMoves(mesh, targets, near, options);
+    std::optional<FeatureAvoidance> avoidance;
     CloseCounts before;
     if (avoids) {
-        before = countClose(mesh, targets, near, options);
-        moves = avoidFeatures(mesh, targets, near, options, moves);
+        avoidance.emplace(mesh, targets, near, options);
+        before = avoidance->count();
+        moves = avoidance->extended(moves);
     }
     const auto kept = std::erase_if(moves, [&](const NodeMove& move) {
         return std::ranges::binary_search(options.kept, move.node);
@@ -298,7 +301,7 @@ AdjustedNodes adjustNodes(PolyMesh& mesh,
         Adjustment(mesh, std::move(moves), options.isForTrim ? settleDepth : 0).run();
     adjusted.counts.refused += toLabel(kept);
     adjusted.counts.closeBefore = before;
-    if (avoids) adjusted.counts.closeAfter = countClose(mesh, targets, near, options);
+    if (avoidance) adjusted.counts.closeAfter = avoidance->count();
     return adjusted;
 }
 

@@ -89,219 +89,188 @@ Passage passageOf(std::span<const Vec3> face, const Vec3& corner) {
     return {height < 0 ? -normal : normal, std::abs(height), {}};
 }
 
-/// An edge of the mesh by its places among the near nodes.
-using NearEdge = std::array<Label, 2>;
-
-/// The edges and faces of the mesh that features may come near.
-struct Passed {
-    std::vector<NearEdge> edges; // ascending
-    Rows<Label> faces;           // places among the near nodes
-};
-
-class Avoidance {
-public:
-    Avoidance(const PolyMesh& mesh,
-              const SurfaceTargets& targets,
-              const std::vector<NearNode>& near,
-              const AdjustOptions& options)
-        : mesh_(mesh), targets_(targets), near_(near), options_(options) {
-        places_.reserve(near.size());
-        for (const NearNode& node : near)
-            places_.push_back(mesh.points[index(node.node)]);
-        findPassed();
-    }
-
-    CloseCounts count() const {
-        CloseCounts counts;
-        for (const NearEdge& edge : passed_.edges) {
-            const StraightEdge segment = segmentOf(edge);
-            const double clear = clearanceOf(edge);
-            const auto features = featuresNear(targets_, boxRound(segment, clear));
-            if (std::ranges::any_of(features, [&](const StraightEdge& feature) {
-                    return passageOf(segment, feature).distance < clear;
-                }))
-                ++counts.edges;
-        }
-        for (Label f = 0; f < passed_.faces.size(); ++f) {
-            const auto points = pointsOf(passed_.faces[f]);
-            const double clear = clearanceOf(passed_.faces[f]);
-            const auto corners = cornersNear(targets_, boxRound(points, clear));
-            if (std::ranges::any_of(corners, [&](const Vec3& corner) {
-                    return passageOf(points, corner).distance < clear;
-                }))
-                ++counts.faces;
-        }
-        return counts;
-    }
-
-    std::vector<NodeMove> run(const std::vector<NodeMove>& moves) {
-        for (const NodeMove& move : moves) {
-            const auto at = std::ranges::lower_bound(near_, move.node, {}, &NearNode::node);
-            places_[static_cast<std::size_t>(at - near_.begin())] = move.place;
-        }
-        std::vector<std::uint8_t> isTouched(near_.size(), 0);
-        for (const NearEdge& edge : passed_.edges)
-            for (const Label i : edge)
-                isTouched[index(i)] = 1;
-        for (const Label i : passed_.faces.values)
-            isTouched[index(i)] = 1;
-        for (int round = 0; round < rounds; ++round) {
-            for (const NearEdge& edge : passed_.edges)
-                clearEdge(edge);
-            for (Label f = 0; f < passed_.faces.size(); ++f)
-                clearFace(passed_.faces[f]);
-            for (std::size_t i = 0; i < near_.size(); ++i)
-                if (isTouched[i] != 0) clearNode(i);
-        }
-        return finished();
-    }
-
-private:
-    /// Shortest edge at the nodes times the distance that they keep.
-    template<class Nodes>
-    double clearanceOf(const Nodes& nodes) const {
-        double size = Box::inf;
-        for (const Label i : nodes)
-            size = std::min(size, near_[index(i)].size);
-        return clearShare * options_.distance * size;
-    }
-
-    StraightEdge segmentOf(const NearEdge& edge) const {
-        return {places_[index(edge[0])], places_[index(edge[1])]};
-    }
-
-    std::vector<Vec3> pointsOf(std::span<const Label> nodes) const {
-        std::vector<Vec3> points;
-        for (const Label i : nodes)
-            points.push_back(places_[index(i)]);
-        return points;
-    }
-
-    void findPassed() {
-        std::vector<Label> nearOf(mesh_.points.size(), -1);
-        for (std::size_t i = 0; i < near_.size(); ++i)
-            nearOf[index(near_[i].node)] = toLabel(i);
-        constexpr Label block = 4096;
-        std::vector<Passed> parts(index((mesh_.faceCount() + block - 1) / block));
-        parallelBlocks(mesh_.faceCount(), block, [&](Label b, Label first, Label last) {
-            for (Label f = first; f < last; ++f)
-                addFace(f, nearOf, parts[index(b)]);
-        });
-        std::vector<Rows<Label>> faces;
-        for (Passed& part : parts) {
-            passed_.edges.insert(passed_.edges.end(), part.edges.begin(), part.edges.end());
-            faces.push_back(std::move(part.faces));
-        }
-        passed_.faces = joined(faces);
-        std::ranges::sort(passed_.edges);
-        passed_.edges.erase(std::unique(passed_.edges.begin(), passed_.edges.end()),
-                            passed_.edges.end());
-    }
-
-    /// Looks for features as far as the face's nodes may go, and somewhat on.
-    void addFace(Label f, const std::vector<Label>& nearOf, Passed& part) const {
-        std::vector<Label> nodes;
-        for (const Label p : mesh_.faces[f]) {
-            if (nearOf[index(p)] < 0) return;
-            nodes.push_back(nearOf[index(p)]);
-        }
-        const double reach = (1 + mostWay / clearShare) * clearanceOf(nodes);
-        const Box box = boxRound(pointsOf(nodes), reach);
-        if (!featuresNear(targets_, box).empty())
-            for (std::size_t i = 0; i < nodes.size(); ++i) {
-                const Label a = nodes[i];
-                const Label b = nodes[(i + 1) % nodes.size()];
-                part.edges.push_back({std::min(a, b), std::max(a, b)});
-            }
-        if (!cornersNear(targets_, box).empty()) part.faces.add(nodes);
-    }
-
-    /// Moves a node, as far as it may go.
-    void push(Label i, const Vec3& way) {
-        const NearNode& node = near_[index(i)];
-        const Vec3& from = mesh_.points[index(node.node)];
-        Vec3 whole = places_[index(i)] + node.freedom.along(way) - from;
-        const double length = norm(whole);
-        const double most = mostWay * options_.distance * node.size;
-        if (length > most) whole = (most / length) * whole;
-        places_[index(i)] = node.freedom.held(from + whole, from);
-    }
-
-    /// Gives the edge its distance from each feature edge in turn, by the shortest ways of its
-    /// ends together.
-    void clearEdge(const NearEdge& edge) {
-        const double clear = clearanceOf(edge);
-        for (const StraightEdge& feature :
-             featuresNear(targets_, boxRound(segmentOf(edge), clear))) {
-            const Passage passage = passageOf(segmentOf(edge), feature);
-            const double missing = clear - passage.distance;
-            if (missing <= 0) continue;
-            const auto& w = passage.weights;
-            const double scale = missing / (w[0] * w[0] + w[1] * w[1]);
-            push(edge[0], (scale * w[0]) * passage.away);
-            push(edge[1], (scale * w[1]) * passage.away);
-        }
-    }
-
-    void clearFace(std::span<const Label> nodes) {
-        const double clear = clearanceOf(nodes);
-        for (const Vec3& corner : cornersNear(targets_, boxRound(pointsOf(nodes), clear))) {
-            const auto points = pointsOf(nodes);
-            const Passage passage = passageOf(points, corner);
-            const double missing = clear - passage.distance;
-            if (missing <= 0) continue;
-            for (const Label i : nodes)
-                push(i, missing * passage.away);
-        }
-    }
-
-    void clearNode(std::size_t i) {
-        const double reach = options_.distance * near_[i].size;
-        const ClosestPoint closest = targets_.closest(places_[i], reach);
-        if (closest.triangle < 0 || closest.distance < 1e-9 * near_[i].size) return;
-        push(toLabel(i),
-             ((reach - closest.distance) / closest.distance) * (places_[i] - closest.point));
-    }
-
-    std::vector<NodeMove> finished() const {
-        std::vector<NodeMove> moves;
-        for (std::size_t i = 0; i < near_.size(); ++i) {
-            const Vec3& from = mesh_.points[index(near_[i].node)];
-            if (places_[i] == from) continue;
-            NodeMove move;
-            move.node = near_[i].node;
-            move.target = AdjustTarget::away;
-            move.place = places_[i];
-            move.size = near_[i].size;
-            move.way = norm(places_[i] - from) / near_[i].size;
-            moves.push_back(move);
-        }
-        return moves;
-    }
-
-    const PolyMesh& mesh_;
-    const SurfaceTargets& targets_;
-    const std::vector<NearNode>& near_;
-    const AdjustOptions& options_;
-    std::vector<Vec3> places_; // of the near nodes [m]
-    Passed passed_;
-};
+StraightEdge straight(const std::vector<Vec3>& points) {
+    return {points[0], points[1]};
+}
 
 } // namespace
 
-std::vector<NodeMove> avoidFeatures(const PolyMesh& mesh,
-                                    const SurfaceTargets& targets,
-                                    const std::vector<NearNode>& near,
-                                    const AdjustOptions& options,
-                                    const std::vector<NodeMove>& moves) {
-    return Avoidance(mesh, targets, near, options).run(moves);
+FeatureAvoidance::FeatureAvoidance(const PolyMesh& mesh,
+                                   const SurfaceTargets& targets,
+                                   const std::vector<NearNode>& near,
+                                   const AdjustOptions& options)
+    : mesh_(mesh), targets_(targets), near_(near), options_(options), places_(near.size()) {
+    placeNodes();
+    findPassed();
 }
 
-CloseCounts countClose(const PolyMesh& mesh,
-                       const SurfaceTargets& targets,
-                       const std::vector<NearNode>& near,
-                       const AdjustOptions& options) {
-    return Avoidance(mesh, targets, near, options).count();
+void FeatureAvoidance::placeNodes() {
+    for (std::size_t i = 0; i < near_.size(); ++i)
+        places_[i] = mesh_.points[index(near_[i].node)];
+}
+
+CloseCounts FeatureAvoidance::count() {
+    placeNodes();
+    CloseCounts counts;
+    for (const NearEdge& edge : passed_.edges) {
+        const StraightEdge segment = straight(pointsOf(edge));
+        const double clear = clearanceOf(edge);
+        const auto features = featuresNear(targets_, boxRound(segment, clear));
+        if (std::ranges::any_of(features, [&](const StraightEdge& feature) {
+                return passageOf(segment, feature).distance < clear;
+            }))
+            ++counts.edges;
+    }
+    for (Label f = 0; f < passed_.faces.size(); ++f) {
+        const auto points = pointsOf(passed_.faces[f]);
+        const double clear = clearanceOf(passed_.faces[f]);
+        const auto corners = cornersNear(targets_, boxRound(points, clear));
+        if (std::ranges::any_of(corners, [&](const Vec3& corner) {
+                return passageOf(points, corner).distance < clear;
+            }))
+            ++counts.faces;
+    }
+    return counts;
+}
+
+std::vector<NodeMove> FeatureAvoidance::extended(const std::vector<NodeMove>& moves) {
+    placeNodes();
+    for (const NodeMove& move : moves) {
+        const auto at = std::ranges::lower_bound(near_, move.node, {}, &NearNode::node);
+        places_[static_cast<std::size_t>(at - near_.begin())] = move.place;
+    }
+    std::vector<std::uint8_t> isTouched(near_.size(), 0);
+    for (const NearEdge& edge : passed_.edges)
+        for (const Label i : edge)
+            isTouched[index(i)] = 1;
+    for (const Label i : passed_.faces.values)
+        isTouched[index(i)] = 1;
+    for (int round = 0; round < rounds; ++round) {
+        for (const NearEdge& edge : passed_.edges)
+            clearEdge(edge);
+        for (Label f = 0; f < passed_.faces.size(); ++f)
+            clearFace(passed_.faces[f]);
+        for (std::size_t i = 0; i < near_.size(); ++i)
+            if (isTouched[i] != 0) clearNode(i);
+    }
+    return finished();
+}
+
+/// Shortest edge at the nodes times the distance that they keep.
+double FeatureAvoidance::clearanceOf(std::span<const Label> nodes) const {
+    double size = Box::inf;
+    for (const Label i : nodes)
+        size = std::min(size, near_[index(i)].size);
+    return clearShare * options_.distance * size;
+}
+
+std::vector<Vec3> FeatureAvoidance::pointsOf(std::span<const Label> nodes) const {
+    std::vector<Vec3> points;
+    for (const Label i : nodes)
+        points.push_back(places_[index(i)]);
+    return points;
+}
+
+void FeatureAvoidance::findPassed() {
+    std::vector<Label> nearOf(mesh_.points.size(), -1);
+    for (std::size_t i = 0; i < near_.size(); ++i)
+        nearOf[index(near_[i].node)] = toLabel(i);
+    constexpr Label block = 4096;
+    std::vector<Passed> parts(index((mesh_.faceCount() + block - 1) / block));
+    parallelBlocks(mesh_.faceCount(), block, [&](Label b, Label first, Label last) {
+        for (Label f = first; f < last; ++f)
+            addFace(f, nearOf, parts[index(b)]);
+    });
+    std::vector<Rows<Label>> faces;
+    for (Passed& part : parts) {
+        passed_.edges.insert(passed_.edges.end(), part.edges.begin(), part.edges.end());
+        faces.push_back(std::move(part.faces));
+    }
+    passed_.faces = joined(faces);
+    std::ranges::sort(passed_.edges);
+    passed_.edges.erase(std::unique(passed_.edges.begin(), passed_.edges.end()),
+                        passed_.edges.end());
+}
+
+/// Looks for features as far as the face's nodes may go, and somewhat on.
+void FeatureAvoidance::addFace(Label f, const std::vector<Label>& nearOf, Passed& part) const {
+    std::vector<Label> nodes;
+    for (const Label p : mesh_.faces[f]) {
+        if (nearOf[index(p)] < 0) return;
+        nodes.push_back(nearOf[index(p)]);
+    }
+    const double reach = (1 + mostWay / clearShare) * clearanceOf(nodes);
+    const Box box = boxRound(pointsOf(nodes), reach);
+    if (!featuresNear(targets_, box).empty())
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            const Label a = nodes[i];
+            const Label b = nodes[(i + 1) % nodes.size()];
+            part.edges.push_back({std::min(a, b), std::max(a, b)});
+        }
+    if (!cornersNear(targets_, box).empty()) part.faces.add(nodes);
+}
+
+/// Moves a node, as far as it may go.
+void FeatureAvoidance::push(Label i, const Vec3& way) {
+    const NearNode& node = near_[index(i)];
+    const Vec3& from = mesh_.points[index(node.node)];
+    Vec3 whole = places_[index(i)] + node.freedom.along(way) - from;
+    const double length = norm(whole);
+    const double most = mostWay * options_.distance * node.size;
+    if (length > most) whole = (most / length) * whole;
+    places_[index(i)] = node.freedom.held(from + whole, from);
+}
+
+/// Gives the edge its distance from each feature edge in turn, by the shortest ways of its ends
+/// together.
+void FeatureAvoidance::clearEdge(const NearEdge& edge) {
+    const double clear = clearanceOf(edge);
+    for (const StraightEdge& feature :
+         featuresNear(targets_, boxRound(straight(pointsOf(edge)), clear))) {
+        const Passage passage = passageOf(straight(pointsOf(edge)), feature);
+        const double missing = clear - passage.distance;
+        if (missing <= 0) continue;
+        const auto& w = passage.weights;
+        const double scale = missing / (w[0] * w[0] + w[1] * w[1]);
+        push(edge[0], (scale * w[0]) * passage.away);
+        push(edge[1], (scale * w[1]) * passage.away);
+    }
+}
+
+void FeatureAvoidance::clearFace(std::span<const Label> nodes) {
+    const double clear = clearanceOf(nodes);
+    for (const Vec3& corner : cornersNear(targets_, boxRound(pointsOf(nodes), clear))) {
+        const auto points = pointsOf(nodes);
+        const Passage passage = passageOf(points, corner);
+        const double missing = clear - passage.distance;
+        if (missing <= 0) continue;
+        for (const Label i : nodes)
+            push(i, missing * passage.away);
+    }
+}
+
+void FeatureAvoidance::clearNode(std::size_t i) {
+    const double reach = options_.distance * near_[i].size;
+    const ClosestPoint closest = targets_.closest(places_[i], reach);
+    if (closest.triangle < 0 || closest.distance < 1e-9 * near_[i].size) return;
+    push(toLabel(i),
+         ((reach - closest.distance) / closest.distance) * (places_[i] - closest.point));
+}
+
+std::vector<NodeMove> FeatureAvoidance::finished() const {
+    std::vector<NodeMove> moves;
+    for (std::size_t i = 0; i < near_.size(); ++i) {
+        const Vec3& from = mesh_.points[index(near_[i].node)];
+        if (places_[i] == from) continue;
+        NodeMove move;
+        move.node = near_[i].node;
+        move.target = AdjustTarget::away;
+        move.place = places_[i];
+        move.size = near_[i].size;
+        move.way = norm(places_[i] - from) / near_[i].size;
+        moves.push_back(move);
+    }
+    return moves;
 }
 
 } // namespace polymesh

@@ -90,6 +90,12 @@ struct Cut {
     bool isOpen = false; // there is no mesh: those cells do not close
 };
 
+/// Whether a cell has fewer faces than a cell may have; it may close all the same, when they are
+/// bent.
+bool isStump(const EditCell& cell) {
+    return !cell.frozen && !cell.isRemoved() && cell.faces.size() < 4;
+}
+
 /// The places of the cells that are open, or else of those that checkMesh fails.
 std::vector<Box> findBadPlaces(EditPart& part, bool isOpen) {
     std::vector<Box> places;
@@ -97,8 +103,8 @@ std::vector<Box> findBadPlaces(EditPart& part, bool isOpen) {
     for (Label c = 0; c < editor.cellCount(); ++c) {
         const EditCell& cell = editor.cell(c);
         if (cell.frozen || cell.isRemoved()) continue;
-        const bool isBad =
-            isOpen ? cellShape(part.mesh, c) == CellShape::broken : isFailing(editor, c);
+        const bool isBad = isOpen ? isStump(cell) || cellShape(part.mesh, c) == CellShape::broken
+                                  : isFailing(editor, c);
         if (!isBad) continue;
         Box box;
         for (const Label f : cell.faces)
@@ -210,6 +216,8 @@ Cut cutMesh(PolyMesh mesh,
         return {{}, findBadPlaces(openPart, true), true};
     }
     meshCut = {};
+    if (!adjusted.moved.empty() && std::ranges::any_of(clean.part.mesh.cells, isStump))
+        return {{}, findBadPlaces(clean.part, true), true};
 
     Cut cut;
     Trimmed& result = cut.trimmed;

@@ -2,141 +2,92 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/shapes/baseShapes.h"
 
+#include <algorithm>
+#include <deque>
 #include <vector>
 
 namespace polymesh {
 
 namespace {
 
-using Face = std::vector<ShapeVertex>;
-
-/// A table that owns what BaseShapeTable points into.
-struct OwnedTable {
-    OwnedTable(std::string_view name,
-               std::size_t pointCount,
-               std::vector<Face> faces,
-               std::vector<std::array<std::uint8_t, 2>> oppositeFaces,
-               std::vector<std::uint8_t> cutFaces)
-        : faces_(std::move(faces)),
-          spans_(faces_.begin(), faces_.end()),
-          oppositeFaces_(std::move(oppositeFaces)),
-          cutFaces_(std::move(cutFaces)),
-          table{name, pointCount, spans_, oppositeFaces_, cutFaces_} {}
-
-    OwnedTable(const OwnedTable&) = delete;
-
-private:
-    std::vector<Face> faces_;
-    std::vector<ShapeFace> spans_;
-    std::vector<std::array<std::uint8_t, 2>> oppositeFaces_;
-    std::vector<std::uint8_t> cutFaces_;
-
-public:
-    BaseShapeTable table;
+/// A base shape as text: faces between spaces, a digit of base 12 for each vertex or face.
+struct ShapeText {
+    std::string_view name;
+    std::string_view faces;
+    std::string_view oppositeFaces;
+    std::string_view cutFaces;
 };
 
-const std::array<OwnedTable, baseShapeCount>& tables() {
-    using Pairs = std::vector<std::array<std::uint8_t, 2>>;
-    static const std::array<OwnedTable, baseShapeCount> all{{
-        {"tetrahedron",
-         4,
-         {Face{1, 2, 3}, Face{0, 3, 2}, Face{0, 1, 3}, Face{0, 2, 1}},
-         Pairs{},
-         {}},
-        {"pyramid",
-         5,
-         {Face{0, 3, 2, 1}, Face{0, 4, 3}, Face{3, 4, 2}, Face{1, 2, 4}, Face{0, 1, 4}},
-         Pairs{},
-         {}},
-        {"prism",
-         6,
-         {Face{0, 2, 1}, Face{3, 4, 5}, Face{0, 3, 5, 2}, Face{1, 2, 5, 4}, Face{0, 1, 4, 3}},
-         Pairs{},
-         {}},
-        {"hexahedron",
-         8,
-         {Face{0, 4, 7, 3},
-          Face{1, 2, 6, 5},
-          Face{0, 1, 5, 4},
-          Face{3, 7, 6, 2},
-          Face{0, 3, 2, 1},
-          Face{4, 5, 6, 7}},
-         Pairs{{0, 1}, {2, 3}, {4, 5}},
-         {}},
-        {"sammTrim5",
-         8,
-         {Face{2, 3, 7, 6},
-          Face{1, 5, 0},
-          Face{2, 1, 0, 4, 3},
-          Face{2, 6, 5, 1},
-          Face{3, 4, 7},
-          Face{0, 5, 6, 7, 4}},
-         Pairs{{0, 1}, {3, 4}},
-         {5}},
-        {"sammTrim1",
-         10,
-         {Face{2, 3, 8, 7},
-          Face{0, 1, 6, 5, 4},
-          Face{2, 1, 0, 3},
-          Face{7, 8, 9, 5, 6},
-          Face{2, 7, 6, 1},
-          Face{3, 0, 4, 9, 8},
-          Face{4, 5, 9}},
-         Pairs{{0, 1}, {2, 3}, {4, 5}},
-         {6}},
-        {"sammTrim2",
-         10,
-         {Face{2, 3, 8, 7},
-          Face{1, 6, 5, 0},
-          Face{2, 1, 0, 4, 3},
-          Face{7, 8, 9, 5, 6},
-          Face{2, 7, 6, 1},
-          Face{3, 4, 9, 8},
-          Face{0, 5, 9, 4}},
-         Pairs{{0, 1}, {2, 3}, {4, 5}},
-         {6}},
-        {"sammTrim3",
-         10,
-         {Face{2, 3, 9, 8, 7},
-          Face{1, 5, 4, 0},
-          Face{2, 1, 0, 3},
-          Face{7, 8, 6},
-          Face{2, 7, 6, 5, 1},
-          Face{3, 0, 4, 9},
-          Face{4, 5, 6, 8, 9}},
-         Pairs{{0, 1}, {2, 3}, {4, 5}},
-         {6}},
-        {"sammTrim4",
-         10,
-         {Face{0, 2, 6, 5, 1},
-          Face{3, 9, 8},
-          Face{0, 3, 8, 7, 2},
-          Face{1, 5, 4},
-          Face{0, 1, 4, 9, 3},
-          Face{2, 7, 6},
-          Face{4, 5, 6, 7, 8, 9}},
-         Pairs{{0, 1}, {2, 3}, {4, 5}},
-         {6}},
-        {"hexagonalPrism",
-         12,
-         {Face{0, 5, 4, 3, 2, 1},
-          Face{6, 7, 8, 9, 10, 11},
-          Face{0, 1, 7, 6},
-          Face{1, 2, 8, 7},
-          Face{2, 3, 9, 8},
-          Face{3, 4, 10, 9},
-          Face{4, 5, 11, 10},
-          Face{5, 0, 6, 11}},
-         Pairs{{0, 1}, {2, 5}, {3, 6}},
-         {4, 7}},
-    }};
+constexpr std::array<ShapeText, baseShapeCount> texts{{
+    {"tetrahedron", "123 032 013 021", "", ""},
+    {"pyramid", "0321 043 342 124 014", "", ""},
+    {"prism", "021 345 0352 1254 0143", "", ""},
+    {"hexahedron", "0473 1265 0154 3762 0321 4567", "01 23 45", ""},
+    {"sammTrim5", "2376 150 21043 2651 347 05674", "01 34", "5"},
+    {"sammTrim1", "2387 01654 2103 78956 2761 30498 459", "01 23 45", "6"},
+    {"sammTrim2", "2387 1650 21043 78956 2761 3498 0594", "01 23 45", "6"},
+    {"sammTrim3", "23987 1540 2103 786 27651 3049 45689", "01 23 45", "6"},
+    {"sammTrim4", "02651 398 03872 154 01493 276 456789", "01 23 45", "6"},
+    {"hexagonalPrism", "054321 6789ab 0176 1287 2398 34a9 45ba 506b", "01 25 36", "47"},
+}};
+
+using Digits = std::vector<std::uint8_t>;
+
+std::vector<Digits> wordsOf(std::string_view text) {
+    std::vector<Digits> words;
+    bool isInWord = false;
+    for (const char c : text) {
+        if (c != ' ') {
+            if (!isInWord) words.emplace_back();
+            words.back().push_back(static_cast<std::uint8_t>(c <= '9' ? c - '0' : c - 'a' + 10));
+        }
+        isInWord = c != ' ';
+    }
+    return words;
+}
+
+/// A table that owns what BaseShapeTable points into.
+class OwnedTable {
+public:
+    explicit OwnedTable(const ShapeText& text)
+        : faces_(wordsOf(text.faces)), spans_(faces_.begin(), faces_.end()) {
+        for (const Digits& pair : wordsOf(text.oppositeFaces))
+            oppositeFaces_.push_back({pair[0], pair[1]});
+        for (const Digits& cuts : wordsOf(text.cutFaces))
+            cutFaces_ = cuts;
+        std::size_t points = 0;
+        for (const Digits& face : faces_)
+            points = std::max(points, std::size_t{*std::ranges::max_element(face)} + 1);
+        table_ = {text.name, points, spans_, oppositeFaces_, cutFaces_};
+    }
+
+    OwnedTable(const OwnedTable&) = delete;
+    OwnedTable& operator=(const OwnedTable&) = delete;
+
+    const BaseShapeTable& table() const { return table_; }
+
+private:
+    std::vector<Digits> faces_;
+    std::vector<ShapeFace> spans_;
+    std::vector<std::array<std::uint8_t, 2>> oppositeFaces_;
+    Digits cutFaces_;
+    BaseShapeTable table_;
+};
+
+const std::array<BaseShapeTable, baseShapeCount>& tables() {
+    static const std::deque<OwnedTable> owned(texts.begin(), texts.end());
+    static const std::array<BaseShapeTable, baseShapeCount> all = [] {
+        std::array<BaseShapeTable, baseShapeCount> found;
+        std::ranges::transform(owned, found.begin(), &OwnedTable::table);
+        return found;
+    }();
     return all;
 }
 
 } // namespace
 
 const BaseShapeTable& tableOf(BaseShape shape) {
-    return tables()[static_cast<std::size_t>(shape)].table;
+    return tables()[static_cast<std::size_t>(shape)];
 }
 
 std::array<BaseShape, baseShapeCount> allBaseShapes() {

@@ -9,6 +9,7 @@
 #include "libpolymesh/quality/starPoint.h"
 #include "libpolymesh/shapeSplit/editedShape.h"
 #include "libpolymesh/shapeSplit/faceCuts.h"
+#include "libpolymesh/shapeSplit/goodPieces.h"
 #include "libpolymesh/shapeSplit/innerPoint.h"
 #include "libpolymesh/shapeSplit/makeStarShaped.h"
 #include "libpolymesh/shapeSplit/splitTogether.h"
@@ -263,7 +264,7 @@ private:
 
     void makePyramidsOf(Label cell) {
         if (isAcceptable(editor_, cell)) return;
-        if (!hasLargeFace(editor_, cell) && makeGoodPyramids(cell)) {
+        if (!hasLargeFace(editor_, cell) && makeGoodPieces(cell)) {
             editor_.commit();
             return;
         }
@@ -282,48 +283,12 @@ private:
         }
     }
 
-    /// Pyramids round the first point inside if checkMesh will find nothing wrong with them, else
-    /// round the best of several.
-    bool makeGoodPyramids(Label cell) {
-        const auto first = innerPoint(editor_, cell);
-        if (!first) return false;
-        const MeshEditor::Mark mark = editor_.mark();
-        const auto badnessRound = [&](const Vec3& apex) {
-            const std::vector<Label> pyramids = makePyramids(editor_, cell, apex);
-            return badnessOf(editor_, withNeighbours(editor_, pyramids));
-        };
-        Badness least = badnessRound(*first);
-        if (least.failures == 0) return true;
-        editor_.undoTo(mark);
-        const std::optional<Badness> filled = badnessFilled(cell);
-        Vec3 best = *first;
-        for (const Vec3& apex : innerPoints(editor_, cell)) {
-            const Badness badness = badnessRound(apex);
-            editor_.undoTo(mark);
-            if (!isBetter(badness, least)) continue;
-            least = badness;
-            best = apex;
-        }
-        if (filled && isBetter(*filled, least)) return fillWith(cell);
-        makePyramids(editor_, cell, best);
-        return true;
-    }
-
-    bool fillWith(Label cell) {
-        ++counts_.filledCells;
-        fillWithTetrahedra(editor_, cell, *effort_.tetrahedralise);
-        return true;
-    }
-
-    std::optional<Badness> badnessFilled(Label cell) {
-        if (!effort_.tetrahedralise || !*effort_.tetrahedralise) return std::nullopt;
-        const MeshEditor::Mark mark = editor_.mark();
-        const Filled filled = fillWithTetrahedra(editor_, cell, *effort_.tetrahedralise);
-        std::optional<Badness> badness;
-        if (!filled.pieces.empty())
-            badness = badnessOf(editor_, withNeighbours(editor_, filled.pieces));
-        editor_.undoTo(mark);
-        return badness;
+    bool makeGoodPieces(Label cell) {
+        static const Tetrahedraliser noTetrahedra;
+        const Pieces pieces = polymesh::makeGoodPieces(
+            editor_, cell, effort_.tetrahedralise ? *effort_.tetrahedralise : noTetrahedra);
+        counts_.filledCells += pieces == Pieces::tetrahedra ? 1 : 0;
+        return pieces != Pieces::none;
     }
 
     MeshEditor& editor_;

@@ -1,9 +1,10 @@
 # Takes the mesh of CASE, a tutorial that has run, to STAR-CD files of version 4 and back, once with
 # each of OpenFOAM's converters as the other side. Fails unless cells, faces, patches and points
 # (to the digits that are printed) stay the same and OpenFOAM's checkMesh says the same of both.
+# Then, split into shapes that STAR-CD accepts, to version 4, back, to version 3 and back.
 # Run: cmake -DCASE=<case> -DWORK=<folder to use> -DBIN=<programs> -DSAME=<sameMesh> -P this.
 file(REMOVE_RECURSE ${WORK})
-foreach(name IN ITEMS given theirs back)
+foreach(name IN ITEMS given theirs back split once twice)
   file(COPY ${CASE}/system DESTINATION ${WORK}/${name})
 endforeach()
 file(COPY ${CASE}/constant/polyMesh DESTINATION ${WORK}/given/constant)
@@ -45,3 +46,14 @@ endif()
 run(given /usr/bin/foamToStarMesh)
 run(back ${BIN}/convertMesh ../given/meshExport .)
 run(. ${SAME} given back 1e-9) # it writes ten digits
+
+file(COPY ${CASE}/constant/polyMesh DESTINATION ${WORK}/split/constant)
+run(split ${BIN}/classifyCells -split -noFields)
+if(NOT output MATCHES "\nunrecognised 0\n")
+  message(FATAL_ERROR "${output}")
+endif()
+run(split ${BIN}/convertMesh . four)
+run(once ${BIN}/convertMesh ../split/four .)
+run(once ${BIN}/convertMesh . three -to star3)
+run(twice ${BIN}/convertMesh ../once/three .)
+run(. ${SAME} split twice 1e-8) # version 3 has 9 digits at least

@@ -53,7 +53,8 @@ bool isRoundSurface(const Settings& settings) {
     return roundOption;
 }
 
-CartesianBox boxRoundSurface(ToolRun& tool) {
+/// The box round the surface, for cells that stay or are refined.
+CartesianBox boxRoundSurface(ToolRun& tool, bool isRefined) {
     const Settings& settings = tool.settings;
     const auto file = tool.surfaceFile(settings.text("surface"));
     const double cellSize = settings.number("cellSize", std::numeric_limits<double>::min());
@@ -65,7 +66,9 @@ CartesianBox boxRoundSurface(ToolRun& tool) {
     const CartesianBox box = boxAround(bounds, cellSize, margin);
     // A margin that the user gives places the planes; else they keep clear of flat sides.
     if (settings.has("margin")) return box;
-    return clearOfFlatSides(box, bounds, margin, flatSides(surface, cellSize));
+    if (!isRefined) return clearOfFlatSides(box, bounds, margin, flatSides(surface, cellSize));
+    constexpr int levels = 4; // planes of deeper ones are as far away or where nothing can be done
+    return clearOfFlatSides(box, bounds, margin, flatSides(surface, cellSize / 4), levels);
 }
 
 CartesianBox boxGiven(const Settings& settings) {
@@ -148,10 +151,11 @@ void report(ToolRun& tool, const CartesianBox& box, const CartesianMesh& mesh) {
 ExitCode run(ToolRun& tool) {
     const std::filesystem::path blocks = blockDictOf(tool);
     if (!blocks.empty()) return runBlocks(tool, blocks);
-    const CartesianBox box =
-        isRoundSurface(tool.settings) ? boxRoundSurface(tool) : boxGiven(tool.settings);
-    if (const auto refinement = refinementOf(tool, {}))
-        return runRefine(tool, hexCells(box), *refinement);
+    const auto refinement = refinementOf(tool, {});
+    const CartesianBox box = isRoundSurface(tool.settings)
+                                 ? boxRoundSurface(tool, refinement.has_value())
+                                 : boxGiven(tool.settings);
+    if (refinement) return runRefine(tool, hexCells(box), *refinement);
     const CartesianMesh mesh(box);
     tool.clock.start("write mesh");
     write(tool, mesh);

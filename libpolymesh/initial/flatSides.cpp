@@ -10,7 +10,6 @@ namespace polymesh {
 namespace {
 
 constexpr double clearance = 0.2; // of a cell
-constexpr int steps = 32;         // shifts are tried in steps of this part of a cell
 
 struct FlatTriangle {
     double coordinate;
@@ -34,24 +33,35 @@ std::vector<double> largeOnes(std::vector<FlatTriangle>& triangles, double cellS
     return places;
 }
 
-/// Distance from the nearest grid plane to the nearest flat side, in cells.
-double clearanceOf(double origin, double cellSize, const std::vector<double>& flats) {
+/// The planes of a grid across one axis.
+struct Planes {
+    double cellSize = 0; // [m]
+    int levels = 0;      // how often cells may be halved
+};
+
+/// Distance from the nearest plane of a grid that begins at `origin` to the nearest flat side, in
+/// cells of the plane's level.
+double clearanceOf(double origin, const Planes& planes, const std::vector<double>& flats) {
     double least = 0.5;
-    for (const double flat : flats) {
-        const double place = (flat - origin) / cellSize;
-        least = std::min(least, std::abs(place - std::round(place)));
-    }
+    double cellSize = planes.cellSize;
+    for (int level = 0; level <= planes.levels; ++level, cellSize /= 2)
+        for (const double flat : flats) {
+            const double place = (flat - origin) / cellSize;
+            least = std::min(least, std::abs(place - std::round(place)));
+        }
     return least;
 }
 
 /// The smallest shift, in cells, that gives enough clearance; else the one that gives most.
-double bestShift(double origin, double cellSize, const std::vector<double>& flats) {
+double bestShift(double origin, const Planes& planes, const std::vector<double>& flats) {
     double best = 0;
-    double bestClearance = clearanceOf(origin, cellSize, flats);
+    double bestClearance = clearanceOf(origin, planes, flats);
+    // A third of a cell is a third or two of any cell that comes of it.
+    const int steps = planes.levels == 0 ? 32 : 96;
     for (int k = 1; k <= steps / 2 && bestClearance < clearance; ++k)
         for (const int sign : {1, -1}) {
             const double shift = static_cast<double>(sign * k) / steps;
-            const double found = clearanceOf(origin + shift * cellSize, cellSize, flats);
+            const double found = clearanceOf(origin + shift * planes.cellSize, planes, flats);
             if (found <= bestClearance + 1e-9) continue;
             best = shift;
             bestClearance = found;
@@ -81,12 +91,13 @@ std::array<std::vector<double>, 3> flatSides(const TriSurface& surface, double c
 CartesianBox clearOfFlatSides(const CartesianBox& box,
                               const Box& surfaceBox,
                               double margin,
-                              const std::array<std::vector<double>, 3>& flats) {
+                              const std::array<std::vector<double>, 3>& flats,
+                              int levels) {
     CartesianBox shifted = box;
     for (int axis = 0; axis < 3; ++axis) {
         const auto a = static_cast<std::size_t>(axis);
         const double h = box.box.size()[axis] / static_cast<double>(box.cells[a]);
-        const double shift = bestShift(box.box.min[axis], h, flats[a]);
+        const double shift = bestShift(box.box.min[axis], {h, levels}, flats[a]);
         if (shift == 0) continue;
         double min = box.box.min[axis] + shift * h;
         Label cells = box.cells[a];

@@ -18,11 +18,13 @@ std::array<std::vector<double>, 3> flatSides(const TriSurface& surface, double c
 /// Shifts a box of cubes, by less than a cell in each direction, so that its grid planes keep a
 /// fifth of a cell away from the flat sides, or as far as they can; cells are added where the box
 /// would leave less than `margin` round `surfaceBox`. A direction without a flat side that near to
-/// a plane stays as it is, and of all shifts that will do the smallest is taken. Why: a plane a
-/// hair beside a flat side cuts off cells a hair thick.
+/// a plane stays as it is, and of all shifts that will do the smallest is taken. With `levels` the
+/// planes of cells halved so often keep away as well, in proportion to their distance. Why: a plane
+/// a hair beside a flat side cuts off cells a hair thick.
 CartesianBox clearOfFlatSides(const CartesianBox& box,
                               const Box& surfaceBox,
                               double margin,
-                              const std::array<std::vector<double>, 3>& flats);
+                              const std::array<std::vector<double>, 3>& flats,
+                              int levels = 0);
 
 } // namespace polymesh

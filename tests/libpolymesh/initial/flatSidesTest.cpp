@@ -51,6 +51,23 @@ TEST(ClearOfFlatSides, movesPlanesOffASideAndKeepsTheMargin) {
     EXPECT_NEAR(shifted.box.size().z, static_cast<double>(shifted.cells[2]) * h, 1e-12);
 }
 
+TEST(ClearOfFlatSides, keepsThePlanesOfHalvedCellsAwayToo) {
+    const Box bounds{{0, 0, 0}, {1, 1, 1}};
+    const double h = 0.1;
+    const CartesianBox box = boxAround(bounds, h, defaultMargin(h));
+    const std::vector<double> flats{box.box.min.y + 5.25 * h, box.box.min.y + 7.52 * h};
+    const CartesianBox plain = clearOfFlatSides(box, bounds, defaultMargin(h), {{{}, flats, {}}});
+    const CartesianBox shifted =
+        clearOfFlatSides(box, bounds, defaultMargin(h), {{{}, flats, {}}}, 3);
+    EXPECT_EQ(plain, box);
+    for (const int parts : {1, 2, 4, 8}) {
+        CartesianBox halved = shifted;
+        halved.cells[1] *= parts;
+        for (const double flat : flats)
+            EXPECT_GE(clearanceOf(halved, 1, flat), 0.1) << parts;
+    }
+}
+
 TEST(ClearOfFlatSides, leavesABoxThatIsClearAsItIs) {
     const Box bounds{{0, 0, 0}, {1, 1, 1}};
     const CartesianBox box = boxAround(bounds, 0.1, defaultMargin(0.1));

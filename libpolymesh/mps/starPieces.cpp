@@ -78,50 +78,60 @@ private:
 
     Vec3 area(const Triangle& t) const { return cross(at(t[1]) - at(t[0]), at(t[2]) - at(t[0])); }
 
-    /// The edges of a piece. Where four or more facets have one, those that face each other.
-    std::vector<PieceEdge> edgesOf(const Facets& facets) const {
-        struct Use {
-            Label low;
-            Label high;
-            int facet;
-            bool isForward; // from low to high
-            double angle;
-        };
+    /// A facet at one of its edges.
+    struct EdgeUse {
+        Label low;
+        Label high;
+        int facet;
+        bool isForward; // from low to high
+        double angle;   // where the edge has more than two facets
 
-        std::vector<Use> uses;
+        std::pair<Label, Label> key() const { return {low, high}; }
+    };
+
+    static std::vector<EdgeUse> usesOf(const Facets& facets) {
+        std::vector<EdgeUse> uses;
         for (std::size_t f = 0; f < facets.size(); ++f)
             for (std::size_t i = 0; i < 3; ++i) {
                 const Label a = facets[f].points[i];
                 const Label b = facets[f].points[(i + 1) % 3];
                 uses.push_back({std::min(a, b), std::max(a, b), static_cast<int>(f), a < b, 0});
             }
-        const auto key = [](const Use& u) { return std::pair(u.low, u.high); };
-        std::ranges::stable_sort(uses, {}, key);
+        std::ranges::stable_sort(uses, {}, &EdgeUse::key);
+        return uses;
+    }
+
+    /// The facet that faces one use of an edge among all its uses; -1: none. The inside is before
+    /// the facet, turning with the edge as axis.
+    static int facing(const EdgeUse& use, std::span<const EdgeUse> all) {
+        double least = std::numeric_limits<double>::max();
+        int partner = -1;
+        for (const EdgeUse& other : all) {
+            if (other.isForward) continue;
+            double turn = use.angle - other.angle;
+            if (turn < 0) turn += 2 * std::numbers::pi;
+            if (turn < least) partner = other.facet;
+            least = std::min(least, turn);
+        }
+        return partner;
+    }
+
+    /// The edges of a piece. Where four or more facets have one, those that face each other.
+    std::vector<PieceEdge> edgesOf(const Facets& facets) const {
+        std::vector<EdgeUse> uses = usesOf(facets);
         std::vector<PieceEdge> edges;
         for (std::size_t i = 0; i < uses.size();) {
             std::size_t end = i;
-            while (end < uses.size() && key(uses[end]) == key(uses[i]))
+            while (end < uses.size() && uses[end].key() == uses[i].key())
                 ++end;
-            if (end - i > 2)
-                for (std::size_t k = i; k < end; ++k)
-                    uses[k].angle = angleOf(facets[static_cast<std::size_t>(uses[k].facet)].points,
-                                            uses[k].low,
-                                            uses[k].high);
-            for (std::size_t k = i; k < end; ++k) {
-                if (!uses[k].isForward) continue;
-                // The inside is before the facet, turning with the edge as axis.
-                double least = std::numeric_limits<double>::max();
-                int partner = -1;
-                for (std::size_t j = i; j < end; ++j) {
-                    if (uses[j].isForward) continue;
-                    double turn = uses[k].angle - uses[j].angle;
-                    if (turn < 0) turn += 2 * std::numbers::pi;
-                    if (turn < least) partner = uses[j].facet;
-                    least = std::min(least, turn);
-                }
-                if (partner >= 0)
-                    edges.push_back({uses[k].low, uses[k].high, uses[k].facet, partner});
-            }
+            const std::span<EdgeUse> own = std::span(uses).subspan(i, end - i);
+            if (own.size() > 2)
+                for (EdgeUse& use : own)
+                    use.angle = angleOf(
+                        facets[static_cast<std::size_t>(use.facet)].points, use.low, use.high);
+            for (const EdgeUse& use : own)
+                if (const int partner = use.isForward ? facing(use, own) : -1; partner >= 0)
+                    edges.push_back({use.low, use.high, use.facet, partner});
             i = end;
         }
         return edges;
@@ -266,40 +276,48 @@ private:
         return true;
     }
 
-    /// The pieces on either side of a wall over a loop.
-    std::vector<Piece> partsAlong(const Facets& facets,
-                                  std::span<const PieceEdge> edges,
-                                  const std::vector<Label>& loop,
-                                  const std::vector<Triangle>& wall) const {
+    /// On which side of a loop the facets are, 1: left, 2: right; none when it does not part the
+    /// piece, as one through a hole.
+    static std::vector<char> sidesOf(const Facets& facets,
+                                     std::span<const PieceEdge> edges,
+                                     const std::vector<Label>& loop) {
         const auto isStep = [&](Label a, Label b) {
             const auto found = std::ranges::find(loop, a);
             if (found == loop.end()) return false;
             return (found + 1 == loop.end() ? loop.front() : *(found + 1)) == b;
         };
-        std::vector<char> side(facets.size(), 0); // 1: left of the loop, 2: right
-        std::vector<char> isRim(edges.size(), 0);
-        for (std::size_t e = 0; e < edges.size(); ++e) {
-            const bool forward = isStep(edges[e].a, edges[e].b);
-            if (!forward && !isStep(edges[e].b, edges[e].a)) continue;
-            isRim[e] = 1;
-            side[static_cast<std::size_t>(edges[e].left)] = forward ? 1 : 2;
-            side[static_cast<std::size_t>(edges[e].right)] = forward ? 2 : 1;
+        std::vector<char> side(facets.size(), 0);
+        const auto at = [&](int facet) -> char& { return side[static_cast<std::size_t>(facet)]; };
+        std::vector<PieceEdge> inner;
+        for (const PieceEdge& e : edges) {
+            const bool forward = isStep(e.a, e.b);
+            if (!forward && !isStep(e.b, e.a)) {
+                inner.push_back(e);
+                continue;
+            }
+            at(e.left) = forward ? 1 : 2;
+            at(e.right) = forward ? 2 : 1;
         }
         for (bool grows = true; grows;) {
             grows = false;
-            for (std::size_t e = 0; e < edges.size(); ++e) {
-                char& left = side[static_cast<std::size_t>(edges[e].left)];
-                char& right = side[static_cast<std::size_t>(edges[e].right)];
-                if (isRim[e] != 0 || left == right || (left != 0 && right != 0)) continue;
-                left = right = std::max(left, right);
+            for (const PieceEdge& e : inner) {
+                if (at(e.left) == at(e.right) || (at(e.left) != 0 && at(e.right) != 0)) continue;
+                at(e.left) = at(e.right) = std::max(at(e.left), at(e.right));
                 grows = true;
             }
         }
-        // A loop through a hole does not part the piece.
-        for (std::size_t e = 0; e < edges.size(); ++e)
-            if (isRim[e] == 0 && side[static_cast<std::size_t>(edges[e].left)] !=
-                                     side[static_cast<std::size_t>(edges[e].right)])
-                return {};
+        const auto parts = [&](const PieceEdge& e) { return at(e.left) == at(e.right); };
+        if (!std::ranges::all_of(inner, parts)) side.clear();
+        return side;
+    }
+
+    /// The pieces on either side of a wall over a loop.
+    std::vector<Piece> partsAlong(const Facets& facets,
+                                  std::span<const PieceEdge> edges,
+                                  const std::vector<Label>& loop,
+                                  const std::vector<Triangle>& wall) const {
+        const std::vector<char> side = sidesOf(facets, edges, loop);
+        if (side.empty()) return {};
         Facets first;
         Facets second;
         for (std::size_t f = 0; f < facets.size(); ++f)

@@ -190,8 +190,7 @@ std::string oneOf(const Dictionary& dictionary,
                   const std::string& key,
                   const std::vector<std::string>& words,
                   const std::string& standard) {
-    const std::string word =
-        standard.empty() ? dictionary.word(key) : dictionary.word(key, standard);
+    std::string word = standard.empty() ? dictionary.word(key) : dictionary.word(key, standard);
     if (std::ranges::find(words, word) == words.end())
         dictionary.entry(key).value().fail(key,
                                            fmt::format("one of {}; the nearest is {}",

@@ -219,8 +219,10 @@ std::vector<std::array<Label, 8>> cornersOfCells(const BlockMap& map, const Poly
     const Rows<Label> points = cellPoints(mesh, faces);
     const CornerFinder finder(map, mesh);
     parallelFor(mesh.cellCount, [&](Label cell) {
-        isFound[index(cell)] = isHexahedron(mesh, faces[cell], points[cell].size()) &&
-                               finder.find(cell, points[cell], corners[index(cell)]);
+        isFound[index(cell)] = (isHexahedron(mesh, faces[cell], points[cell].size()) &&
+                                finder.find(cell, points[cell], corners[index(cell)]))
+                                   ? 1
+                                   : 0;
     });
     const auto missing = std::ranges::find(isFound, 0);
     if (missing != isFound.end()) refuse(map, static_cast<Label>(missing - isFound.begin()));

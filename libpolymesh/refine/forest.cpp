@@ -55,14 +55,15 @@ Connectivity connectivityOf(const MacroMesh& mesh, bool withPoints) {
     for (Label tree = 0; tree < trees; ++tree)
         for (int side = 0; side < 6; ++side) {
             const Label other = mesh.neighbour(tree, static_cast<std::size_t>(side));
-            result->tree_to_tree[6 * tree + side] = other < 0 ? tree : other;
-            result->tree_to_face[6 * tree + side] =
+            const std::size_t at = 6 * index(tree) + static_cast<std::size_t>(side);
+            result->tree_to_tree[at] = other < 0 ? tree : other;
+            result->tree_to_face[at] =
                 other < 0 ? static_cast<std::int8_t>(side) : sideCode(mesh, tree, side, other);
         }
     if (!withPoints) return result;
-    std::fill(result->vertices, result->vertices + 3 * points, 0.0);
+    std::fill(result->vertices, result->vertices + 3 * index(points), 0.0);
     for (Label tree = 0; tree < trees; ++tree)
-        std::ranges::copy(mesh.corners(tree), result->tree_to_vertex + 8 * tree);
+        std::ranges::copy(mesh.corners(tree), result->tree_to_vertex + 8 * index(tree));
     p8est_connectivity_complete(result.get());
     return result;
 }
@@ -170,7 +171,7 @@ Leaves growForest(const MacroMesh& mesh,
     for (Label tree = 0; tree < mesh.cellCount(); ++tree)
         leaves.first.push_back(leaves.first.back() + octants.leafCount(tree));
     leaves.start.assign(index(mesh.cellCount()), -1);
-    leaves.finest = octants.level;
+    leaves.finest.assign(octants.level.begin(), octants.level.end());
     const Connectivity connectivity = connectivityOf(mesh, false);
     const Forest forest = forestOf(connectivity.get(), refined, !partition.isWhole());
     if (!partition.isWhole()) distribute(*forest, partition, leaves);

@@ -13,10 +13,10 @@ namespace polymesh {
 /// be unknown.
 /// Laws: (1) first has an entry a tree and one more, ascending; (2) the codes of a tree ascend.
 struct Leaves {
-    std::vector<Label> first;        // the first cell of each tree
-    std::vector<Label> start;        // where the codes of each tree begin; -1: unknown
-    std::vector<OctantCode> codes;   // of the leaves that are known
-    std::vector<std::int8_t> finest; // the level of the finest leaf of each tree
+    std::vector<Label> first;         // the first cell of each tree
+    std::vector<Label> start;         // where the codes of each tree begin; -1: unknown
+    std::vector<OctantCode> codes;    // of the leaves that are known
+    std::vector<std::uint8_t> finest; // the level of the finest leaf of each tree
 
     std::span<const OctantCode> of(Label tree) const {
         return {codes.data() + start[index(tree)],
@@ -28,10 +28,11 @@ struct Leaves {
         const std::span<const OctantCode> own = of(tree);
         // As many as there can be of the finest level: then all are of it, and the place on the
         // curve counts them.
-        const auto level = static_cast<unsigned>(finest[index(tree)]);
-        if (own.size() == std::size_t{1} << 3 * level)
+        const int level = finest[index(tree)];
+        if (own.size() == std::size_t{1} << static_cast<unsigned>(3 * level))
             return first[index(tree)] +
-                   static_cast<Label>(curvePlace(anchor) >> 3 * (latticeBits - level));
+                   static_cast<Label>(curvePlace(anchor) >>
+                                      static_cast<unsigned>(3 * (latticeBits - level)));
         const OctantCode last = octantCode({anchor, (1 << levelBits) - 1});
         const auto after = std::upper_bound(own.begin(), own.end(), last);
         return first[index(tree)] + static_cast<Label>(after - own.begin()) - 1;

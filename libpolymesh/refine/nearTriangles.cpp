@@ -47,7 +47,7 @@ NearTriangles::NearTriangles(std::shared_ptr<const TriSurface> surface,
       triangles_(std::move(triangles)),
       tree_(boxesOf(*surface_, triangles_)) {}
 
-NearTriangles::NearTriangles(std::shared_ptr<const TriSurface> surface)
+NearTriangles::NearTriangles(const std::shared_ptr<const TriSurface>& surface)
     : NearTriangles(surface, allTriangles(*surface)) {}
 
 std::optional<ClosestPoint> NearTriangles::closest(const Vec3& p, double atMost) const {

@@ -21,7 +21,7 @@ public:
     NearTriangles(std::shared_ptr<const TriSurface> surface, std::vector<Label> triangles);
 
     /// All triangles.
-    explicit NearTriangles(std::shared_ptr<const TriSurface> surface);
+    explicit NearTriangles(const std::shared_ptr<const TriSurface>& surface);
 
     /// The closest point, when it is at most so far away. Cost: next to nothing for far points.
     std::optional<ClosestPoint> closest(const Vec3& p, double atMost) const;

@@ -14,12 +14,15 @@ class TreePoints {
 public:
     /// `finest`: the level of the finest points; `leafCount`: how many leaves will be asked for.
     TreePoints(const PointTable& table, Label tree, int finest, std::size_t leafCount)
-        : table_(table), tree_(tree), shift_(latticeBits - finest), width_((1 << finest) + 1) {
+        : table_(table),
+          tree_(tree),
+          shift_(latticeBits - finest),
+          width_((std::size_t{1} << static_cast<unsigned>(finest)) + 1) {
         constexpr std::size_t mostPerLeaf =
             32; // setting a label is that much cheaper than a search
-        const auto width = static_cast<std::size_t>(width_);
-        if (width * width * width > mostPerLeaf * leafCount) return;
-        labels_.assign(width * width * width, -1);
+        const std::size_t count = width_ * width_ * width_;
+        if (count > mostPerLeaf * leafCount) return;
+        labels_.assign(count, -1);
         for (std::size_t c = 0; c < 8; ++c) {
             const LatticePoint p = Octant{}.corner(c);
             labels_[place(p)] = table.find(tree, p);
@@ -37,14 +40,16 @@ public:
 
 private:
     std::size_t place(const LatticePoint& p) const {
-        return static_cast<std::size_t>((p[0] >> shift_) +
-                                        width_ * ((p[1] >> shift_) + width_ * (p[2] >> shift_)));
+        const auto along = [&](std::size_t axis) {
+            return static_cast<std::size_t>(p[axis] >> shift_);
+        };
+        return along(0) + width_ * (along(1) + width_ * along(2));
     }
 
     const PointTable& table_;
     Label tree_;
     int shift_;
-    std::int32_t width_; // points along an edge
+    std::size_t width_; // points along an edge
     std::vector<Label> labels_;
 };
 

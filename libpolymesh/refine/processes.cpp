@@ -24,6 +24,7 @@ void stayAlone() {
     setenv("OMPI_MCA_pml", "ob1", keepWhatTheUserSays);
     setenv("OMPI_MCA_btl", "self", keepWhatTheUserSays);
     setenv("OMPI_MCA_osc", "^ucx", keepWhatTheUserSays);
+    setenv("OMPI_MCA_orte_create_session_dirs", "0", keepWhatTheUserSays);
 }
 
 // MPI's constants cast as C does, wherever they are used.

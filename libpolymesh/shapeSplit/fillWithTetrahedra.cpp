@@ -87,6 +87,9 @@ public:
     std::vector<Label> apply(TetMesh tets) {
         points_ = surface_.points;
         points_.insert(points_.end(), tets.newPoints.begin(), tets.newPoints.end());
+        const auto exists = [&](Label p) { return p >= 0 && index(p) < points_.size(); };
+        for (const auto& t : tets.tetrahedra)
+            if (!std::ranges::all_of(t, exists)) return {};
         for (auto& t : tets.tetrahedra)
             if (orient3d(at(t[0]), at(t[1]), at(t[2]), at(t[3])) < 0) std::swap(t[0], t[1]);
         const std::vector<Side> sides = sidesOf(tets);

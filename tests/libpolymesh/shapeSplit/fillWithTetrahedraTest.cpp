@@ -82,10 +82,16 @@ TEST(FillWithTetrahedra, changesNothingWhenTheTetrahedraDoNotFit) {
         tets.tetrahedra.push_back({a, b, p, d});
         return tets;
     };
+    const auto oneHasNoSuchPoint = [](const TriSurface& surface) {
+        TetMesh tets = roundAxis(surface);
+        tets.tetrahedra[2][1] = surface.pointCount();
+        return tets;
+    };
     const auto none = [](const TriSurface&) { return std::optional<TetMesh>(); };
     for (const Tetrahedraliser& bad : {Tetrahedraliser(oneIsMissing),
                                        Tetrahedraliser(oneComesTwice),
                                        Tetrahedraliser(oneIsFlat),
+                                       Tetrahedraliser(oneHasNoSuchPoint),
                                        Tetrahedraliser(none)}) {
         Edited cell(octahedron());
         EXPECT_TRUE(fillWithTetrahedra(cell.editor, 0, bad).pieces.empty());

@@ -134,12 +134,11 @@ public:
 
     /// Makes pieces. Where single repairs leave bad cells, these are made again with more and less
     /// of the surface round them: they come out otherwise, and the rest as before. Then the same
-    /// with thorough repairs. Where pieces cannot be cleaned up (WorkError), `openPart` is them.
-    CleanPieces best(EditPart& openPart) {
-        const bool mayTryAgain =
-            cut_.settled.empty() && options_.deviation > 0 && options_.mendsCells;
-        if (!mayTryAgain) return make({}, RepairEffort::thorough, &openPart);
-        CleanPieces best = make({}, RepairEffort::quick, &openPart);
+    /// with thorough repairs. Requires: no node is settled.
+    CleanPieces best() {
+        if (options_.deviation <= 0 || !options_.mendsCells)
+            return make({}, RepairEffort::thorough);
+        CleanPieces best = make({}, RepairEffort::quick);
         if (best.summary.badCells == 0) return best;
         options_.onStage("try again");
         options_.onStage = [](const std::string&) {};
@@ -149,6 +148,9 @@ public:
         tryOtherDeviations(RepairEffort::thorough, best);
         return best;
     }
+
+    /// Makes pieces once. Where they cannot be cleaned up (WorkError), `openPart` is them.
+    CleanPieces only(EditPart& openPart) { return make({}, RepairEffort::thorough, &openPart); }
 
 private:
     CleanPieces
@@ -207,10 +209,12 @@ Cut cutMesh(PolyMesh mesh,
             const AdjustedNodes& adjusted,
             const TrimOptions& options) {
     MeshCut meshCut = findCut(mesh, surface, adjusted, options);
+    PieceMaker maker(mesh, meshCut, surface, options);
     EditPart openPart;
     CleanPieces clean;
     try {
-        clean = PieceMaker(mesh, meshCut, surface, options).best(openPart);
+        // With nodes moved other nodes are tried instead: see trimAdjusted.
+        clean = adjusted.moved.empty() ? maker.best() : maker.only(openPart);
     } catch (const WorkError&) {
         if (adjusted.moved.empty()) throw;
         return {{}, findBadPlaces(openPart, true), true};

@@ -11,6 +11,7 @@
 #include "libpolymesh/trim/adjustNodes.h"
 #include "libpolymesh/trim/hangingNodes.h"
 #include "libpolymesh/trim/trim.h"
+#include "tests/libpolymesh/trim/adjusted.h"
 #include "tests/support/meshes.h"
 #include "tests/support/surfaces.h"
 
@@ -21,20 +22,6 @@ namespace {
 
 const AdjustOptions project{Adjust::project, 0.3, {}};
 const AdjustOptions repel{Adjust::repel, 0.3, {}};
-
-AdjustedNodes adjust(PolyMesh& mesh, const TriSurface& surface, const AdjustOptions& options) {
-    const CuttingSurface cutter{&surface, pairEdges(surface), triangleBoxes(surface)};
-    return adjustNodes(mesh, cutter, findFeatures(surface, cutter.edges, 0.5236), options);
-}
-
-/// The cells' smallest parts, of their volumes.
-double worstCell(const PolyMesh& mesh) {
-    const Rows<Label> faces = cellFaces(mesh);
-    double worst = 1;
-    for (Label c = 0; c < mesh.cellCount; ++c)
-        worst = std::min(worst, smallestPart(mesh, c, faces[c], 0).smallest);
-    return worst;
-}
 
 /// The paper's pyramid, base 1 x 1 and height 1, and its 27 cells of 0.4 with a plane at the base.
 TriSurface paperPyramid() {

@@ -11,6 +11,7 @@
 #include "libpolymesh/trim/adjustNodes.h"
 #include "libpolymesh/trim/closestOnSegments.h"
 #include "libpolymesh/trim/trim.h"
+#include "tests/libpolymesh/trim/adjusted.h"
 #include "tests/support/meshes.h"
 #include "tests/support/surfaces.h"
 
@@ -23,19 +24,6 @@ namespace polymesh::test {
 namespace {
 
 const AdjustOptions avoid{Adjust::avoid, 0.3, {}};
-
-AdjustedNodes adjust(PolyMesh& mesh, const TriSurface& surface, const AdjustOptions& options) {
-    const CuttingSurface cutter{&surface, pairEdges(surface), triangleBoxes(surface)};
-    return adjustNodes(mesh, cutter, findFeatures(surface, cutter.edges, 0.5236), options);
-}
-
-double worstCell(const PolyMesh& mesh) {
-    const Rows<Label> faces = cellFaces(mesh);
-    double worst = 1;
-    for (Label c = 0; c < mesh.cellCount; ++c)
-        worst = std::min(worst, smallestPart(mesh, c, faces[c], 0).smallest);
-    return worst;
-}
 
 /// A cuboid that stands askew in the unit box: many edges of a grid pass its edges closely.
 TriSurface skewCuboid(unsigned seed) {

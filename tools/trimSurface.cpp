@@ -24,7 +24,8 @@ const std::vector<Option> options{
     {"deviation",
      "F",
      "points of the surface farther than this from what would replace them are kept, fraction of "
-     "the cell size; faces may be up to twice as far; 0: exact; default 0.1"},
+     "the cell size; faces may be up to twice as far, and round single cells that would fail "
+     "checkMesh all of it four times; 0: exact; default 0.1"},
     {"featureAngle", "DEG", "keep edges of the surface sharper than this [deg]; default 30"},
     {"minEdge", "F", "collapse shorter edges, fraction of the cell size; 0: off; default 0.05"},
     {"minVolume", "F", "merge smaller cells, fraction of the uncut cell; 0: off; default 0.01"},

@@ -18,7 +18,8 @@ enum class Keep { inside, outside };
 struct TrimOptions {
     Keep keep = Keep::inside;
     /// Largest distance between the surface and the faces that stand for it inside a cell, as a
-    /// fraction of the cell size; 0: exact, every triangle's part is kept.
+    /// fraction of the cell size; 0: exact, every triangle's part is kept. Round a few cells that
+    /// would be bad up to four times that, or less, whichever makes them good.
     double deviation = 0.1;
     double featureAngle = 0.5236; // [rad] sharper edges of the surface are edges of the mesh
     double minEdge = 0.05;        // shorter edges are collapsed, fraction of the cell size; 0: off

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/checkCompare.h"
 
+#include "formats/surfaceIo.h"
 #include "libpolymesh/base/error.h"
 #include "libpolymesh/mesh/cellGeometry.h"
 #include "libpolymesh/mesh/topology.h"
 #include "libpolymesh/quality/compareSurface.h"
 #include "libpolymesh/quality/standardShape.h"
 #include "libpolymesh/reference/tetgen.h"
+#include "libpolymesh/surface/check.h"
+#include "tools/turnedText.h"
 
 #include <algorithm>
 #include <cmath>
@@ -108,10 +111,27 @@ void sayCells(ToolRun& tool, const PolyMesh& mesh) {
 
 } // namespace
 
+TriSurface readToCompare(ToolRun& tool, const std::string& file) {
+    TriSurface surface = readSurface(file);
+    const OrientationReport turned = orientSurface(surface);
+    const Finding open = checkSurface(surface).openEdges;
+    tool.report["surface"]["turnedTriangles"] = turned.turnedTriangles;
+    tool.report["surface"]["openEdges"] = open.count;
+    tool.say("Comparing with the surface...");
+    if (turned.turnedTriangles > 0) tool.say("    Turned {}", turnedText(turned));
+    if (open.count > 0)
+        tool.say("    Open: {} edges without a partner, one at ({:.6g} {:.6g} {:.6g}); its volume "
+                 "means nothing",
+                 open.count,
+                 open.first.x,
+                 open.first.y,
+                 open.first.z);
+    return surface;
+}
+
 void compareWithSurface(ToolRun& tool, const PolyMesh& mesh, const TriSurface& surface) {
     const SurfaceComparison c = compareSurface(mesh, surface);
-    tool.report["surface"] = toJson(c);
-    tool.say("Comparing with the surface...");
+    tool.report["surface"].update(toJson(c));
     tool.say("    Volume {:.12g}, of the surface {:.12g}, relative error {:.3g}",
              c.volume,
              c.surfaceVolume,

@@ -6,10 +6,16 @@
 #include "libpolymesh/surface/triSurface.h"
 #include "tools/toolMain.h"
 
+#include <string>
+
 namespace polymesh::tools {
 
+/// Reads the surface to compare with and turns it as trimSurface does; tells what was turned, and
+/// whether it is open, there and in the report's `surface`.
+TriSurface readToCompare(ToolRun& tool, const std::string& file);
+
 /// checkMesh -surface: prints volume, area and distances beside the surface's, for the whole and
-/// for each patch, and adds them to the report as `surface`.
+/// for each patch, and adds them to the report's `surface`.
 void compareWithSurface(ToolRun& tool, const PolyMesh& mesh, const TriSurface& surface);
 
 /// checkMesh -tetgen: prints how TetGen's volumes of the surface (when not null) and of every cell

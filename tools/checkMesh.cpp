@@ -5,7 +5,6 @@
 
 #include "formats/foam/polyMeshIo.h"
 #include "formats/foam/sets.h"
-#include "formats/surfaceIo.h"
 #include "libpolymesh/quality/checks.h"
 #include "tools/checkCompare.h"
 #include "tools/checkReport.h"
@@ -20,7 +19,8 @@ namespace {
 const std::vector<Option> options{
     {"allTopology", "", "check edges of cells and shared points of faces too"},
     {"allGeometry", "", "check tetrahedra, edges, flatness, determinants, weights and ratios too"},
-    surfaceOption("compare volume, area and distances with this surface"),
+    surfaceOption(
+        "compare volume, area and distances with this surface, turned as trimSurface does"),
     {"tetgen", "", "compare volumes of cells, and of the surface, with TetGen's"},
     {"noSets", "", "do not write the offenders to constant/polyMesh/sets"}};
 
@@ -67,7 +67,7 @@ void compare(ToolRun& tool, const PolyMesh& mesh) {
     std::optional<TriSurface> surface;
     if (settings.has("surface")) {
         tool.clock.start("surface");
-        surface = readSurface(tool.surfaceFile(settings.text("surface")));
+        surface = readToCompare(tool, tool.surfaceFile(settings.text("surface")).string());
         compareWithSurface(tool, mesh, *surface);
     }
     if (!settings.isOn("tetgen")) return;

@@ -6,8 +6,8 @@
 #include "libpolymesh/base/error.h"
 #include "libpolymesh/base/nearestWord.h"
 #include "libpolymesh/surface/check.h"
-#include "libpolymesh/surface/orient.h"
 #include "libpolymesh/surface/triangleBoxes.h"
+#include "tools/turnedText.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -109,10 +109,7 @@ void mention(ToolRun& tool, const SurfaceDefects& defects) {
 bool turnOutward(ToolRun& tool, TriSurface& surface) {
     const OrientationReport turned = orientSurface(surface);
     tool.report["surface"]["turnedTriangles"] = turned.turnedTriangles;
-    if (turned.turnedTriangles > 0)
-        tool.say("turned     {} triangles, so that normals leave the part{}",
-                 turned.turnedTriangles,
-                 turned.turnedAll ? " (the surface was inside out)" : "");
+    if (turned.turnedTriangles > 0) tool.say("turned     {}", turnedText(turned));
     return turned.turnedTriangles > 0;
 }
 

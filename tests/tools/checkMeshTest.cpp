@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -18,6 +19,7 @@
 #include <sstream>
 #include <string>
 #include <unistd.h>
+#include <utility>
 #include <vector>
 
 namespace polymesh {
@@ -345,19 +347,72 @@ TEST(CheckMeshTool, removesSetsThatNoLongerHold) {
     EXPECT_TRUE(fs::exists(c.mesh() / "sets" / "mine"));
 }
 
-TEST(CheckMeshTool, comparesWithASurface) {
+/// The sides of the unit cube as faces of an OBJ file, with the normals outward.
+const std::vector<std::string> cubeSides{
+    "1 4 3 2", "5 6 7 8", "1 2 6 5", "4 8 7 3", "1 5 8 4", "2 3 7 6"};
+
+/// Compares the unit cube of eight cells with a surface of these sides: the output, and the
+/// report's part `surface`.
+std::pair<std::string, nlohmann::json> compareCube(const std::vector<std::string>& sides) {
     const Case c;
     foam::writePolyMesh(test::box(2, 2, 2), c.mesh(), {});
-    std::ofstream(c.path("s.obj")) << "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\n"
-                                      "v 1 1 1\nv 0 1 1\nf 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\n"
-                                      "f 4 8 7 3\nf 1 5 8 4\nf 2 3 7 6\n";
+    std::ofstream obj(c.path("s.obj"));
+    obj << "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n";
+    for (const std::string& side : sides)
+        obj << "f " << side << '\n';
+    obj.close();
     EXPECT_EQ(c.run(std::string(POLYMESH_BIN) + "/checkMesh -surface s.obj -json r.json"), 0)
         << c.text("log");
-    const auto surface = nlohmann::json::parse(c.text("r.json"))["surface"];
+    return {c.text("log"), nlohmann::json::parse(c.text("r.json"))["surface"]};
+}
+
+void expectNoDifference(const nlohmann::json& surface) {
     for (const char* key : {"volumeError", "areaError", "maxDistance", "meanDistance"})
         EXPECT_NEAR(surface[key].get<double>(), 0, 1e-15) << key;
+    EXPECT_NEAR(surface["surfaceVolume"].get<double>(), 1, 1e-15);
+}
+
+std::string turned(std::string side) {
+    std::ranges::reverse(side);
+    return side;
+}
+
+TEST(CheckMeshTool, comparesWithASurface) {
+    const auto [log, surface] = compareCube(cubeSides);
+    expectNoDifference(surface);
     EXPECT_NEAR(surface["volume"].get<double>(), 1, 1e-15);
     EXPECT_NEAR(surface["area"].get<double>(), 6, 1e-14);
+    EXPECT_EQ(surface["turnedTriangles"], 0);
+    EXPECT_EQ(surface["openEdges"], 0);
+    EXPECT_EQ(log.find("Turned"), std::string::npos);
+    EXPECT_EQ(log.find("Open"), std::string::npos);
+}
+
+TEST(CheckMeshTool, turnsTheSidesOfASurfaceThatDisagreeWithTheOthers) {
+    std::vector<std::string> sides = cubeSides;
+    for (const std::size_t i : {0U, 3U})
+        sides[i] = turned(sides[i]);
+    const auto [log, surface] = compareCube(sides);
+    expectNoDifference(surface);
+    EXPECT_EQ(surface["turnedTriangles"], 4);
+    EXPECT_NE(log.find("Turned 4 triangles, so that normals leave the part\n"), std::string::npos)
+        << log;
+}
+
+TEST(CheckMeshTool, turnsASurfaceThatIsInsideOut) {
+    std::vector<std::string> sides = cubeSides;
+    std::ranges::transform(sides, sides.begin(), turned);
+    const auto [log, surface] = compareCube(sides);
+    expectNoDifference(surface);
+    EXPECT_EQ(surface["turnedTriangles"], 12);
+    EXPECT_NE(log.find("(the surface was inside out)"), std::string::npos) << log;
+}
+
+TEST(CheckMeshTool, saysThatASurfaceIsOpen) {
+    const auto [log, surface] = compareCube({cubeSides.begin(), cubeSides.end() - 1});
+    EXPECT_EQ(surface["openEdges"], 4);
+    EXPECT_NEAR(surface["surfaceArea"].get<double>(), 5, 1e-14);
+    EXPECT_NE(log.find("Open: 4 edges without a partner, one at (1 "), std::string::npos) << log;
 }
 
 TEST(CheckMeshTool, saysWhatIsMissing) {

@@ -39,6 +39,29 @@ void reportCells(ToolRun& tool, const TrimRun& run) {
     tool.report["holedFaces"] = s.holedFaces;
 }
 
+/// Which cells got another deviation, because with the one asked for some came out bad.
+void reportRemade(ToolRun& tool, const TrimSummary& summary) {
+    tool.report["remadeCells"] = summary.remadeCells;
+    tool.report["remadePlaces"] = nlohmann::ordered_json::array();
+    if (summary.remadeCells == 0) return;
+    for (const FidelityPlace& place : summary.remadePlaces) {
+        const auto& [min, max] = place.box;
+        tool.report["remadePlaces"].push_back({{"min", {min.x, min.y, min.z}},
+                                               {"max", {max.x, max.y, max.z}},
+                                               {"factor", place.factor}});
+    }
+    const FidelityPlace& last = summary.remadePlaces.back();
+    const Vec3 middle = last.box.centre();
+    tool.say("remade     {} cells with another deviation since some came out bad, one of {} places "
+             "at ({:.6g} {:.6g} {:.6g}), {:g} times the deviation",
+             summary.remadeCells,
+             summary.remadePlaces.size(),
+             middle.x,
+             middle.y,
+             middle.z,
+             last.factor);
+}
+
 /// How many nodes of the cells at the surface are trivalent: each of these is one hexahedron for
 /// mpsSplit.
 void reportNodes(ToolRun& tool, const TrimRun& run) {
@@ -184,6 +207,7 @@ void reportAdjust(ToolRun& tool, Adjust how, const AdjustCounts& a) {
 void reportTrim(ToolRun& tool, const TrimRun& run) {
     reportAdjust(tool, run.options.adjust.how, run.trimmed.summary.adjusted);
     reportCells(tool, run);
+    reportRemade(tool, run.trimmed.summary);
     reportNodes(tool, run);
     reportFeatures(tool, run);
     reportSize(tool, run);

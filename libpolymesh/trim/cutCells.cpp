@@ -57,6 +57,15 @@ Vec3 middleOf(const Probe& probe, Label c) {
     return sum / count;
 }
 
+/// By which factor the deviation differs in a probed cell: the last place that holds it counts.
+double factorOf(const Probe& probe, Label c, std::span<const FidelityPlace> places) {
+    if (places.empty()) return 1;
+    const Vec3 middle = middleOf(probe, c);
+    for (std::size_t i = places.size(); i-- > 0;)
+        if (places[i].box.contains(middle)) return places[i].factor;
+    return 1;
+}
+
 /// How far what is kept of the surface may be from it in each probed cell [m].
 std::vector<double> tolerancesOf(const Probe& probe,
                                  std::span<const double> cellSizes,
@@ -64,17 +73,16 @@ std::vector<double> tolerancesOf(const Probe& probe,
                                  std::span<const FidelityPlace> places) {
     std::vector<double> tolerances(cellSizes.size());
     parallelFor(probe.cellCount(), [&](Label c) {
-        double& tolerance = tolerances[index(c)];
-        tolerance = deviation * cellSizes[index(c)];
-        if (places.empty()) return;
-        const Vec3 middle = middleOf(probe, c);
-        for (std::size_t i = places.size(); i-- > 0;) {
-            if (!places[i].box.contains(middle)) continue;
-            tolerance *= places[i].factor;
-            return;
-        }
+        tolerances[index(c)] = deviation * cellSizes[index(c)] * factorOf(probe, c, places);
     });
     return tolerances;
+}
+
+Label countRemade(const Probe& probe, std::span<const FidelityPlace> places) {
+    if (places.empty()) return 0;
+    return parallelSum(probe.cellCount(), Label{0}, [&](Label c) {
+        return factorOf(probe, c, places) != 1 ? Label{1} : Label{0};
+    });
 }
 
 /// Throws where the surface intersects itself: what has failed then is its fault.
@@ -184,6 +192,7 @@ Pieces makePieces(PolyMesh& mesh,
     return {
         buildEditPart(found, features, mergeCoincident(probe, cutter, arrangement, joined)),
         loops.holeCount,
+        countRemade(probe, places),
         mayTouch(probe, cutter, arrangement),
     };
 }

@@ -29,16 +29,11 @@ struct MeshCut {
     PointPositions positions;
 };
 
-/// A place where the deviation is another one than elsewhere.
-struct FidelityPlace {
-    Box box;           // holds the middles of the cells meant [m]
-    double factor = 1; // times the deviation
-};
-
 /// The pieces of the cells as the surface cuts them, before clean-up.
 struct Pieces {
     EditPart part;
     Label holedFaces = 0;
+    Label remadeCells = 0; // in places of their own
     bool mayTouch = false; // the surface may lie on faces of the mesh
 };
 

@@ -158,6 +158,8 @@ private:
         Pieces pieces = makePieces(mesh_, cut_, surface_, options_, places);
         CleanPieces clean{std::move(pieces.part), {}, 0};
         clean.summary.holedFaces = pieces.holedFaces;
+        clean.summary.remadeCells = pieces.remadeCells;
+        clean.summary.remadePlaces.assign(places.begin(), places.end());
         try {
             if (pieces.mayTouch) tidyTouchingFaces(clean.part, clean.summary);
             clean.work = tidy(clean.part, options_, effort, clean.summary);

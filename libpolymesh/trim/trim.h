@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "libpolymesh/geometry/box.h"
 #include "libpolymesh/mesh/polyMesh.h"
 #include "libpolymesh/surface/triSurface.h"
 #include "libpolymesh/trim/adjustOptions.h"
@@ -32,6 +33,12 @@ struct TrimOptions {
     std::function<void(const std::string&)> onStage = [](const std::string&) {};
 };
 
+/// A place where the deviation is another one than elsewhere.
+struct FidelityPlace {
+    Box box;           // holds the middles of the cells meant [m]
+    double factor = 1; // times the deviation
+};
+
 /// What the trim did.
 struct TrimSummary {
     Label untouchedCells = 0; // as in the initial mesh
@@ -44,7 +51,9 @@ struct TrimSummary {
     Label holedFaces = 0;   // faces with a hole, cut open
     Label featureEdges = 0; // of the surface
     Label featureCorners = 0;
-    AdjustCounts adjusted; // nodes that were moved
+    Label remadeCells = 0; // near the surface, made with another deviation: they came out bad
+    std::vector<FidelityPlace> remadePlaces; // where these are; in several, the last one counts
+    AdjustCounts adjusted;                   // nodes that were moved
 };
 
 struct Trimmed {

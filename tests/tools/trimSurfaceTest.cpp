@@ -345,6 +345,25 @@ TEST(TrimSurface, givesTheSameBytesWithAnyNumberOfThreads) {
     }
 }
 
+TEST(TrimSurface, saysWhereCellsWereMadeWithAnotherDeviationAndGivesTheSameBytes) {
+    using test::sphere;
+    const TrimCase box(join(sphere(2), test::inverted(sphere(1, 0.4, {0.22, 0.35, 0.03}))));
+    std::string one;
+    for (const char* threads : {"1", "2", "8"}) {
+        EXPECT_EQ(box.run("blockInit -surface part.obj -cellSize 0.25 -quiet").status, 0);
+        const ProgramResult result = box.trim(std::string("-threads ") + threads);
+        ASSERT_EQ(result.status, 0) << result.err;
+        EXPECT_TRUE(contains(result.out, "; 0 bad cells left\n")) << result.out;
+        EXPECT_TRUE(contains(result.out, "\nremade     ")) << result.out;
+        const nlohmann::json report = box.report();
+        EXPECT_GT(report["remadeCells"], 0);
+        EXPECT_GT(report["remadePlaces"].size(), 0U);
+        EXPECT_LT(report["remadePlaces"][0]["min"][0], report["remadePlaces"][0]["max"][0]);
+        if (one.empty()) one = box.meshBytes();
+        EXPECT_EQ(box.meshBytes(), one) << threads << " threads";
+    }
+}
+
 TEST(TrimSurface, refinedMeshesAreTrimmedExactly) {
     const TrimCase box;
     const std::string flange =

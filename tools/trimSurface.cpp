@@ -82,6 +82,17 @@ TrimOptions trimOptions(const Settings& settings) {
     return trim;
 }
 
+/// The mesh to trim once more, after a failure. Throws InputError when the mesh is the reason.
+PolyMesh readAgain(const ToolRun& tool) {
+    PolyMesh mesh = foam::readPolyMesh(tool.meshDir());
+    const std::vector<Defect> defects = validate(mesh);
+    require(defects.empty(),
+            "{}: {}; a mesh that is not valid cannot be trimmed, checkMesh says more",
+            tool.meshDir().string(),
+            defects.empty() ? "" : defects.front().message);
+    return mesh;
+}
+
 /// Trims and validates. Should the clean-up spoil the mesh (a bug, but no reason to leave the user
 /// without one), the trim is done again without it, and said so.
 Trimmed trimValid(ToolRun& tool, PolyMesh mesh, const TriSurface& surface, TrimOptions how) {
@@ -92,9 +103,11 @@ Trimmed trimValid(ToolRun& tool, PolyMesh mesh, const TriSurface& surface, TrimO
         return trimmed;
     };
     const bool hasCleanUp = how.mendsCells || how.minEdge > 0 || how.minVolume > 0;
+    PolyMesh again;
     try {
         return attempt(std::move(mesh));
     } catch (const WorkError& error) {
+        again = readAgain(tool);
         if (!hasCleanUp) throw;
         fmt::print(stderr,
                    "trimSurface: warning: {}; the mesh is made without clean-up instead\n",
@@ -102,7 +115,7 @@ Trimmed trimValid(ToolRun& tool, PolyMesh mesh, const TriSurface& surface, TrimO
     }
     how.mendsCells = false;
     how.minEdge = how.minVolume = 0;
-    return attempt(foam::readPolyMesh(tool.meshDir()));
+    return attempt(std::move(again));
 }
 
 /// The same; what fails on a surface that intersects itself is a matter of the surface.

@@ -68,7 +68,7 @@ void expectRefused(const TrimCase& box,
     EXPECT_EQ(std::ranges::count(result.err, '\n'), 1) << result.err;
     for (const std::string& part : parts)
         EXPECT_TRUE(contains(result.err, part)) << part << " is not in: " << result.err;
-    EXPECT_EQ(box.meshBytes(), before) << command;
+    EXPECT_TRUE(box.meshBytes() == before) << command;
     for (const auto& entry : std::filesystem::directory_iterator(box.dir() / "constant"))
         EXPECT_TRUE(entry.path().filename() == "polyMesh" ||
                     entry.path().filename() == "triSurface")
@@ -334,6 +334,19 @@ TEST(TrimSurface, brokenMeshAndBrokenSurfaceAreRefused) {
     expectRefused(box, "trimSurface -surface part.obj", {"polyMesh"});
 }
 
+TEST(TrimSurface, aMeshThatIsNotValidIsRefusedWithWhatIsWrong) {
+    const TrimCase box;
+    PolyMesh mesh = box.mesh();
+    const Label inside = 86; // a cell in the middle of the body
+    const auto face = std::ranges::find(mesh.owner, inside) - mesh.owner.begin();
+    mesh.owner[static_cast<std::size_t>(face)] = mesh.neighbour[static_cast<std::size_t>(face)];
+    foam::writePolyMesh(mesh, box.dir() / "constant/polyMesh", {});
+    const std::vector<std::string> parts{"constant/polyMesh: face",
+                                         "has owner 87 and neighbour 87"};
+    expectRefused(box, "trimSurface -surface part.obj", parts);
+    expectRefused(box, "trimSurface -surface part.obj -deviation 0 -minEdge 0 -minVolume 0", parts);
+}
+
 TEST(TrimSurface, givesTheSameBytesWithAnyNumberOfThreads) {
     const TrimCase box(test::sphere(3, .41, {.5, .5, .5}));
     std::string one;
@@ -341,7 +354,7 @@ TEST(TrimSurface, givesTheSameBytesWithAnyNumberOfThreads) {
         box.restoreMesh();
         ASSERT_EQ(box.trim(std::string("-threads ") + threads).status, 0);
         if (one.empty()) one = box.meshBytes();
-        EXPECT_EQ(box.meshBytes(), one) << threads << " threads";
+        EXPECT_TRUE(box.meshBytes() == one) << threads << " threads";
     }
 }
 
@@ -360,7 +373,7 @@ TEST(TrimSurface, saysWhereCellsWereMadeWithAnotherDeviationAndGivesTheSameBytes
         EXPECT_GT(report["remadePlaces"].size(), 0U);
         EXPECT_LT(report["remadePlaces"][0]["min"][0], report["remadePlaces"][0]["max"][0]);
         if (one.empty()) one = box.meshBytes();
-        EXPECT_EQ(box.meshBytes(), one) << threads << " threads";
+        EXPECT_TRUE(box.meshBytes() == one) << threads << " threads";
     }
 }
 

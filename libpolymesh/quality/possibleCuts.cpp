@@ -158,8 +158,9 @@ public:
         }
         const double noTolerance = -4; // [rad] no angle is excluded
         for (const ReflexEdge& edge : reflexEdges(editor_, cell_, noTolerance)) {
-            const EdgePlane middle = planesAt(editor_, cell_, edge).back();
-            if (!tryPlane(middle, 0.25, forbiddenEdges(editor_, edge, {}))) break;
+            const std::vector<EdgePlane> planes = planesAt(editor_, cell_, edge);
+            if (planes.empty()) continue; // neither face has an area
+            if (!tryPlane(planes.back(), 0.25, forbiddenEdges(editor_, edge, {}))) break;
         }
         return std::move(cuts_);
     }

@@ -56,6 +56,32 @@ EdgeList edgesToAvoid(const EditMesh& mesh, const ReflexEdge& edge) {
     return edges;
 }
 
+std::vector<Cut> halvingCutsOf(EditMesh& mesh) {
+    MeshEditor editor(mesh);
+    WorkBudget budget(10000);
+    budget.startCell(0);
+    const std::array<Label, 1> region{0};
+    return halvingCuts(editor, 0, region, budget);
+}
+
+TEST(HalvingCuts, divideAHexahedronFromEdgeToOppositeEdge) {
+    EditMesh cube = test::boxOfHexes({1, 1, 1}, 1.0);
+    const std::vector<Cut> cuts = halvingCutsOf(cube);
+    EXPECT_EQ(cuts.size(), 6U); // a loop for each pair of opposite edges
+    for (const Cut& cut : cuts) {
+        ASSERT_EQ(cut.loops.size(), 1U);
+        EXPECT_EQ(cut.loops[0].size(), 4U);
+        EXPECT_EQ(cut.after.failures, 0);
+    }
+}
+
+TEST(HalvingCuts, aCellWithoutAreaHasNone) {
+    EditMesh line = test::boxOfHexes({1, 1, 1}, 1.0);
+    for (Vec3& p : line.points)
+        p.y = p.z = 0;
+    EXPECT_TRUE(halvingCutsOf(line).empty());
+}
+
 TEST(ReflexEdges, areFoundWithTheirAngles) {
     EditMesh mesh = boxWithCavity({{{1, 0, 0}, 1.4}, {{0, 1, 0}, 1.6}});
     ASSERT_EQ(validateEdit(mesh), Defects());

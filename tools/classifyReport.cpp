@@ -52,12 +52,13 @@ void reportSplit(ToolRun& tool,
              std::abs(error));
     tool.say(
         "  {} large faces cut; {} cells split together with a neighbour, {} cut first, {} made "
-        "tetrahedra, {} split though a warped face is folded",
+        "tetrahedra, {} split though a warped face is folded; {} changes mended pieces",
         counts.splitFaces,
         counts.unitedCells,
         counts.cutCells,
         counts.filledCells,
-        counts.foldedCells);
+        counts.foldedCells,
+        counts.mends);
     tool.report["splitCells"] = counts.splitCells;
     tool.report["newCells"] = counts.newCells;
     tool.report["newPoints"] = counts.newPoints;
@@ -66,6 +67,7 @@ void reportSplit(ToolRun& tool,
     tool.report["cutCells"] = counts.cutCells;
     tool.report["filledCells"] = counts.filledCells;
     tool.report["foldedCells"] = counts.foldedCells;
+    tool.report["mends"] = counts.mends;
     tool.report["volume"] = volumeAfter;
     tool.report["volumeError"] = error;
 }

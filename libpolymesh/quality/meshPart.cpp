@@ -164,12 +164,12 @@ public:
     }
 
 private:
+    static constexpr Label unnumbered = -2;
+
     /// Labels of the part's points and cells in the new mesh: new ones come last, cells in the
     /// order of those that they are parts of.
     void numberElements() {
-        points_ = part_.points;
-        for (std::size_t p = points_.size(); p < part_.mesh.points.size(); ++p)
-            points_.push_back(mesh_.pointCount() + toLabel(p - part_.points.size()));
+        numberPoints();
         cells_ = part_.cells;
         const std::size_t old = cells_.size();
         std::vector<Label> added;
@@ -183,6 +183,20 @@ private:
             cells_[index(c)] = mesh_.cellCount + toLabel(addedOrigins_.size());
             addedOrigins_.push_back(part_.mesh.cells[index(c)].origin);
         }
+    }
+
+    /// New points that no face uses any more are left out.
+    void numberPoints() {
+        points_ = part_.points;
+        points_.resize(part_.mesh.points.size(), -1);
+        for (const EditFace& face : part_.mesh.faces)
+            for (const Label p : face.points)
+                if (!face.isRemoved() && points_[index(p)] < 0) points_[index(p)] = unnumbered;
+        for (std::size_t p = part_.points.size(); p < points_.size(); ++p)
+            if (points_[p] == unnumbered) {
+                points_[p] = mesh_.pointCount() + toLabel(addedPoints_.size());
+                addedPoints_.push_back(part_.mesh.points[p]);
+            }
     }
 
     NewFace asNewFace(Label f) const {
@@ -224,10 +238,7 @@ private:
 
     void addPoints() {
         result_.points = mesh_.points;
-        result_.points.insert(result_.points.end(),
-                              part_.mesh.points.begin() +
-                                  static_cast<std::ptrdiff_t>(part_.points.size()),
-                              part_.mesh.points.end());
+        result_.points.insert(result_.points.end(), addedPoints_.begin(), addedPoints_.end());
         result_.cellCount = mesh_.cellCount + toLabel(addedOrigins_.size());
     }
 
@@ -296,6 +307,7 @@ private:
     const MeshPart& part_;
     std::vector<Label> points_; // of the part: labels in the new mesh
     std::vector<Label> cells_;
+    std::vector<Vec3> addedPoints_;
     std::vector<Label> addedOrigins_; // of the cells after the old ones
     std::vector<NewFace> faces_;
     PolyMesh result_;

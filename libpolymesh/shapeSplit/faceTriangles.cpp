@@ -103,35 +103,76 @@ public:
         });
     }
 
-    /// The new point over the triangle with that number.
-    std::optional<FaceTriangles> withPointOver(const Triangulation& triangles,
-                                               std::size_t raised) const {
+    /// With a new point over each one of the triangles in turn; where each would be a spike, over
+    /// all at once.
+    void addWaysToRaise(const Triangulation& triangles, std::vector<FaceTriangles>& ways) const {
+        constexpr double steep = 0.25;
+        std::vector<std::size_t> all;
+        double leastSlope = std::numeric_limits<double>::max();
+        for (std::size_t i = 0; i < triangles.size(); ++i) {
+            all.push_back(i);
+            if (const auto slope = slopeOf(triangles, {i}))
+                leastSlope = std::min(leastSlope, std::abs(*slope));
+            if (auto way = withPointsOver(triangles, {i})) ways.push_back(std::move(*way));
+        }
+        if (leastSlope < steep) return;
+        if (auto way = withPointsOver(triangles, all)) ways.push_back(std::move(*way));
+    }
+
+private:
+    /// New points over the triangles with these numbers, all as steep.
+    std::optional<FaceTriangles> withPointsOver(const Triangulation& triangles,
+                                                const std::vector<std::size_t>& raised) const {
         constexpr double leastRoundness = 1e-6;
         constexpr double steepness = 5; // how much a height counts
+        const auto slope = slopeOf(triangles, raised);
+        if (!slope) return std::nullopt;
         FaceTriangles cut;
-        double gained = 0; // volume, seen from the centre of the whole
+        cut.roundness = std::numeric_limits<double>::max();
+        cut.slope = std::abs(*slope);
+        for (const std::size_t i : raised) {
+            const auto& [a, b, c] = triangles[i];
+            const Flat under = flatOf(corners_[a], corners_[b], corners_[c]);
+            cut.positions.push_back(under.centre +
+                                    (*slope / std::sqrt(norm(under.area))) * under.area);
+        }
+        for (std::size_t i = 0; i < triangles.size(); ++i) {
+            const auto& [a, b, c] = triangles[i];
+            const auto over = std::ranges::find(raised, i);
+            if (over == raised.end()) {
+                add(cut, {label(a), label(b), label(c)});
+                continue;
+            }
+            const Label middle =
+                FaceTriangles::placeholder(static_cast<std::size_t>(over - raised.begin()));
+            for (const auto& [p, q] : {std::pair{a, b}, std::pair{b, c}, std::pair{c, a}})
+                add(cut, {label(p), label(q), middle});
+        }
+        if (cut.roundness <= leastRoundness) return std::nullopt;
+        cut.roundness /= 1 + steepness * steepness * cut.slope * cut.slope;
+        return cut;
+    }
+
+    Label label(std::size_t place) const { return editor_.face(f_).points[place]; }
+
+    /// The height of new points, by the root of the area of the triangle under them, that makes up
+    /// for the volume that the triangles bound too much.
+    std::optional<double> slopeOf(const Triangulation& triangles,
+                                  const std::vector<std::size_t>& raised) const {
+        double gained = 0; // seen from the centre of the whole
         for (const auto& [i, j, k] : triangles) {
             const Flat flat = flatOf(corners_[i], corners_[j], corners_[k]);
             gained += dot(flat.area, flat.centre - whole_.centre) / 3;
         }
-        const auto& [a, b, c] = triangles[raised];
-        const Flat under = flatOf(corners_[a], corners_[b], corners_[c]);
-        const double area = norm(under.area);
-        if (area <= 0) return std::nullopt;
-        cut.position = under.centre - (3 * gained / (area * area)) * under.area;
-        cut.roundness = std::numeric_limits<double>::max();
-        for (const Places& t : triangles)
-            if (t != triangles[raised]) add(cut, {label(t[0]), label(t[1]), label(t[2])});
-        for (const auto& [p, q] : {std::pair{a, b}, std::pair{b, c}, std::pair{c, a}})
-            add(cut, {label(p), label(q), FaceTriangles::middle});
-        if (cut.roundness <= leastRoundness) return std::nullopt;
-        const double slope = steepness * norm(cut.position - under.centre) / std::sqrt(area);
-        cut.roundness /= 1 + slope * slope;
-        return cut;
+        double volumeOfSlope = 0;
+        for (const std::size_t r : raised) {
+            const auto& [i, j, k] = triangles[r];
+            const double area = norm(flatOf(corners_[i], corners_[j], corners_[k]).area);
+            if (area <= 0) return std::nullopt;
+            volumeOfSlope += area * std::sqrt(area) / 3;
+        }
+        return -gained / volumeOfSlope;
     }
-
-private:
-    Label label(std::size_t place) const { return editor_.face(f_).points[place]; }
 
     /// True for edges of the face, and for chords that are no edges of the cell.
     bool isFree(std::size_t a, std::size_t b) const {
@@ -142,7 +183,8 @@ private:
     void add(FaceTriangles& cut, const Polygon& triangle) const {
         std::array<Vec3, 3> at;
         for (std::size_t i = 0; i < 3; ++i)
-            at[i] = triangle[i] < 0 ? cut.position : editor_.point(triangle[i]);
+            at[i] = triangle[i] < 0 ? cut.positions[FaceTriangles::number(triangle[i])]
+                                    : editor_.point(triangle[i]);
         cut.roundness = std::min(cut.roundness, roundness(at[0], at[1], at[2]));
         if (dot(flatOf(at[0], at[1], at[2]).area, whole_.area) <= 0) cut.isTurned = true;
         cut.triangles.push_back(triangle);
@@ -154,6 +196,15 @@ private:
     FaceGeometry whole_;
 };
 
+/// Erases those that are steep and much steeper than others.
+void eraseSpikes(std::vector<FaceTriangles>& ways) {
+    constexpr double steep = 0.5;
+    if (ways.empty()) return;
+    const double least = std::ranges::min_element(ways, {}, &FaceTriangles::slope)->slope;
+    std::erase_if(
+        ways, [&](const FaceTriangles& way) { return way.slope > steep && way.slope > 2 * least; });
+}
+
 } // namespace
 
 std::vector<FaceTriangles> trianglesKeepingVolume(const MeshEditor& editor, Label face) {
@@ -164,10 +215,9 @@ std::vector<FaceTriangles> trianglesKeepingVolume(const MeshEditor& editor, Labe
     for (const Triangulation& triangles :
          size > maxShapeFacePoints ? cutter.ofLeastArea() : triangulations(0, size - 1)) {
         if (!cutter.hasFreeChords(triangles)) continue;
-        for (std::size_t raised = 0; raised < triangles.size(); ++raised)
-            if (auto cut = cutter.withPointOver(triangles, raised))
-                found.push_back(std::move(*cut));
+        cutter.addWaysToRaise(triangles, found);
     }
+    eraseSpikes(found);
     std::ranges::stable_sort(found, {}, [](const FaceTriangles& way) {
         return std::pair(way.isTurned, -way.roundness);
     });
@@ -175,11 +225,14 @@ std::vector<FaceTriangles> trianglesKeepingVolume(const MeshEditor& editor, Labe
 }
 
 void replaceByTriangles(MeshEditor& editor, Label face, const FaceTriangles& triangles) {
-    const Label middle = editor.addPoint(triangles.position, PointRank::surface);
+    std::vector<Label> added;
+    for (const Vec3& position : triangles.positions)
+        added.push_back(editor.addPoint(position, PointRank::surface));
     EditFace part = editor.face(face);
     for (std::size_t t = 0; t < triangles.triangles.size(); ++t) {
         part.points = triangles.triangles[t];
-        std::ranges::replace(part.points, FaceTriangles::middle, middle);
+        for (Label& p : part.points)
+            if (p < 0) p = added[FaceTriangles::number(p)];
         if (t == 0)
             editor.setFacePoints(face, part.points);
         else

@@ -367,6 +367,7 @@ std::vector<Label> facesInTheWay(MeshEditor& editor, Label cell) {
 }
 
 Filled fillWithTetrahedra(MeshEditor& editor, Label cell, const Tetrahedraliser& tetrahedralise) {
+    if (!tetrahedralise) return {};
     const MeshEditor::Mark mark = editor.mark();
     makeBoundaryTriangles(editor, cell);
     Filled filled = fillAsItIs(editor, cell, tetrahedralise);

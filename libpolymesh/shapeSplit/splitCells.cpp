@@ -12,6 +12,7 @@
 #include "libpolymesh/shapeSplit/goodPieces.h"
 #include "libpolymesh/shapeSplit/innerPoint.h"
 #include "libpolymesh/shapeSplit/makeStarShaped.h"
+#include "libpolymesh/shapeSplit/mendPieces.h"
 #include "libpolymesh/shapeSplit/splitTogether.h"
 #include "libpolymesh/shapeSplit/unsuitableFaces.h"
 #include "libpolymesh/shapes/recognise.h"
@@ -52,6 +53,10 @@ public:
 
     void split(const std::vector<Label>& cells) {
         waiting_ = cells;
+        firstNewCell_ = editor_.cellCount();
+        firstNewPoint_ = toLabel(editor_.mesh().points.size());
+        for (const Label c : failingCells(editor_))
+            if (isAcceptable(editor_, c)) tolerated_.push_back(c);
         forAllWaiting([&](Label cell) { cutFacesThatAreTooLarge(cell); });
         forAllWaiting([&](Label cell) {
             counts_.splitFaces += cutConcaveFaces(editor_, cell);
@@ -67,9 +72,22 @@ public:
         waiting_.erase(std::unique(waiting_.begin(), waiting_.end()), waiting_.end());
         for (const Label cell : waiting_)
             makePyramidsOf(cell);
+        mend();
     }
 
 private:
+    /// What checkMesh would fail of what this pass has made.
+    void mend() {
+        static const Tetrahedraliser noTetrahedra;
+        MendMeans means;
+        means.firstNewCell = firstNewCell_;
+        means.firstNewPoint = firstNewPoint_;
+        means.mayUnite = [&](Label a, Label b) { return mayUnite(a, b); };
+        means.tetrahedralise = effort_.tetrahedralise ? effort_.tetrahedralise : &noTetrahedra;
+        means.tolerated = tolerated_;
+        counts_.mends += mendPieces(editor_, means);
+    }
+
     /// Works on the waiting cells in turn, and then on those that the work has made wait.
     template<class Work>
     void forAllWaiting(const Work& work) {
@@ -297,6 +315,9 @@ private:
     ShapeSplitCounts& counts_;
     std::vector<Label> waiting_;
     std::vector<Label> parts_; // of cells that have been cut
+    Label firstNewCell_ = 0;
+    Label firstNewPoint_ = 0;
+    std::vector<Label> tolerated_; // acceptable cells that failed before
 };
 
 std::span<const Zone> firstOf(const std::vector<Zone>& zones, std::size_t count) {

@@ -21,6 +21,8 @@ struct ShapeSplitCounts {
     Label cutCells = 0;    // cells that had to be cut before a point inside saw all faces
     Label filledCells = 0; // cells of which tetrahedra were made
     Label foldedCells = 0; // cells split round a point that does not see all of a warped face
+    Label mended = 0;      // changes that mended pieces
+    Label mends = 0;       // changes of pieces that checkMesh would have failed
     std::vector<Label> remaining; // cells that are still not acceptable, ascending
 };
 
@@ -40,11 +42,13 @@ struct ShapeSplitMeans {
 
 /// Replaces every cell whose shape STAR-CD does not accept (shapes/recognise.h) by acceptable ones:
 /// the pyramids on its faces round a point inside. Faces that other cells share stay, unless they
-/// have more than six points or no point inside sees all faces; then they are cut for both cells.
+/// have more than six points, no point inside sees all faces, or checkMesh would fail the pieces;
+/// then they are cut for both cells.
 /// Laws: (1) the result is valid (mesh/validate.h) and every piece has a positive volume; (2) the
 /// volume that the boundary bounds stays, up to rounding; (3) points never move; patches and zones
 /// stay, parts belong to those of the whole; (4) cells that are acceptable stay as they are unless
-/// a face of theirs was cut or they were split together with another; (5) a cell keeps its label
+/// a face of theirs was cut, they were split together with another, or pieces beside them would
+/// fail checkMesh otherwise; (5) a cell keeps its label
 /// for one of its pieces, the others follow after the last cell; `origins`, if given, gets for each
 /// cell of the new mesh the cell that it is a piece of.
 /// Requires: a valid mesh. Cost: linear in the mesh with a small constant; some 20 microseconds

@@ -11,15 +11,16 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace polymesh {
 
 namespace {
 
-bool putTriangles(MeshEditor& editor, Label f, bool mayTurn) {
+bool putTriangles(MeshEditor& editor, Label f) {
     const std::vector<FaceTriangles> ways = trianglesKeepingVolume(editor, f);
-    if (ways.empty() || (ways.front().isTurned && !mayTurn)) return false;
+    if (ways.empty() || ways.front().isTurned) return false;
     replaceByTriangles(editor, f, ways.front());
     return true;
 }
@@ -33,10 +34,17 @@ std::size_t partsOf(std::size_t points) {
 /// fewest faces of the cell cross.
 bool cutFoldedFace(MeshEditor& editor, Label f) {
     const std::size_t size = editor.face(f).points.size();
-    const std::vector<std::function<bool()>> ways{
-        [&] { return putTriangles(editor, f, true); },
-        [&] { return cutFromMiddle(editor, f, partsOf(size), Parts::any); },
-        [&] { return cutFromMiddle(editor, f, size, Parts::any); }};
+    constexpr std::size_t most = 8;
+    std::vector<std::function<bool()>> ways;
+    for (FaceTriangles& triangles : trianglesKeepingVolume(editor, f)) {
+        if (ways.size() == most) break;
+        ways.emplace_back([&editor, f, triangles = std::move(triangles)] {
+            replaceByTriangles(editor, f, triangles);
+            return true;
+        });
+    }
+    ways.emplace_back([&] { return cutFromMiddle(editor, f, partsOf(size), Parts::any); });
+    ways.emplace_back([&] { return cutFromMiddle(editor, f, size, Parts::any); });
     const MeshEditor::Mark mark = editor.mark();
     std::optional<std::size_t> best;
     std::size_t fewest = std::numeric_limits<std::size_t>::max();
@@ -61,7 +69,7 @@ bool cutLargeFace(MeshEditor& editor, Label f) {
 }
 
 bool cutConcaveFace(MeshEditor& editor, Label f) {
-    if (editor.face(f).isBoundary() && !isPlane(editor, f)) return putTriangles(editor, f, false);
+    if (editor.face(f).isBoundary() && !isPlane(editor, f)) return putTriangles(editor, f);
     return cutByChords(editor, f, editor.face(f).points.size() - 1);
 }
 

@@ -4,6 +4,7 @@
 
 #include "libpolymesh/mesh/topology.h"
 #include "libpolymesh/mesh/validate.h"
+#include "libpolymesh/quality/checks.h"
 #include "libpolymesh/reference/tetgen.h"
 #include "libpolymesh/shapes/classify.h"
 #include "tests/support/meshes.h"
@@ -143,7 +144,9 @@ TEST(SplitCells, cutsCellsOfWhichNoPointSeesAllFaces) {
 TEST(SplitCells, takesBentCells) {
     for (unsigned seed = 1; seed <= 30; ++seed) {
         PolyMesh mesh = jittered(refinedNeighbour(), 0.12, seed);
+        ASSERT_TRUE(checkMesh(mesh, {}).isOk());
         splitByTheLaws(mesh);
+        EXPECT_TRUE(checkMesh(mesh, {}).isOk()) << seed;
     }
 }
 

@@ -82,7 +82,7 @@ double shortestEdge(const HexCells& cells) {
     for (const std::array<Label, 8>& corners : cells.corners)
         for (std::size_t c = 0; c < 8; ++c)
             for (std::size_t bit = 1; bit < 8; bit *= 2)
-                if ((c & bit) == 0)
+                if ((c & bit) == 0 && corners[c] != corners[c | bit])
                     least2 = std::min(least2,
                                       squaredNorm(cells.points[index(corners[c])] -
                                                   cells.points[index(corners[c | bit])]));
@@ -162,6 +162,9 @@ ExitCode runTogether(ToolRun& tool, const HexCells& cells, const RefineOptions& 
             "option -parallel: {} processes for {} initial cells; each needs one at least",
             processes.count(),
             cells.cellCount());
+    require(!cells.hasCollapsed,
+            "option -parallel: blocks with collapsed edges are not supported; run blockInit "
+            "without it");
     tool.quiet = tool.quiet || processes.rank() > 0;
     tool.reports = processes.rank() == 0;
     try {

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 namespace polymesh {
 namespace {
@@ -152,18 +153,16 @@ public:
     CornerFinder(const BlockMap& map, const PolyMesh& mesh)
         : map_(map), mesh_(mesh), projected_(projectedPoints(map.description())) {}
 
-    /// Corner by corner the one of the cell's eight points that is nearest to the block's. False
-    /// when two are the same.
-    bool find(Label cell, std::span<const Label> points, std::array<Label, 8>& corners) const {
+    /// Corner by corner the one of the cell's points that is nearest to the block's.
+    std::array<Label, 8> find(Label cell, std::span<const Label> points) const {
         const CellPlace place = map_.placeOf(cell);
+        std::array<Label, 8> corners{};
         for (std::size_t c = 0; c < cornerCount; ++c) {
             const Vec3 p = blockPoint(place, c);
             corners[c] = *std::ranges::min_element(
                 points, {}, [&](Label q) { return squaredNorm(mesh_.points[index(q)] - p); });
         }
-        std::array<Label, 8> sorted = corners;
-        std::ranges::sort(sorted);
-        return std::ranges::adjacent_find(sorted) == sorted.end();
+        return corners;
     }
 
 private:
@@ -183,35 +182,65 @@ private:
     std::vector<std::vector<Vec3>> projected_; // of each block, not scaled
 };
 
-/// The side of a cell that a face is, by the corners that it has.
-Label sideOf(const std::array<Label, 8>& corners, std::span<const Label> face) {
-    for (std::size_t side = 0; side < 6; ++side) {
-        std::size_t found = 0;
+bool isOnSide(std::size_t corner, std::size_t side) {
+    return (corner >> side / 2 & 1U) == side % 2;
+}
+
+/// Whether a face has the corners of a side, and no other points.
+bool isSide(const std::array<Label, 8>& corners, std::size_t side, std::span<const Label> face) {
+    std::size_t found = 0;
+    for (std::size_t c = 0; c < cornerCount; ++c)
+        if (isOnSide(c, side) && std::ranges::find(face, corners[c]) != face.end()) ++found;
+    if (found < 4) return false;
+    return std::ranges::all_of(face, [&](Label p) {
         for (std::size_t c = 0; c < cornerCount; ++c)
-            if ((c >> side / 2 & 1U) == side % 2 &&
-                std::ranges::find(face, corners[c]) != face.end())
-                ++found;
-        if (found == 4) return toLabel(side);
-    }
+            if (isOnSide(c, side) && corners[c] == p) return true;
+        return false;
+    });
+}
+
+/// The side of a cell that a face is.
+Label sideOf(const std::array<Label, 8>& corners, std::span<const Label> face) {
+    for (std::size_t side = 0; side < 6; ++side)
+        if (isSide(corners, side, face)) return toLabel(side);
     return -1;
 }
 
 [[noreturn]] void refuse(const BlockMap& map, Label cell) {
     const CellPlace place = map.placeOf(cell);
     throw InputError(fmt::format(
-        "{}: cell ({} {} {}) of this block is no hexahedron (an edge of the block is collapsed, or "
-        "blocks that meet there have different faces); such meshes can not be refined",
+        "{}: cell ({} {} {}) of this block is no hexahedron, because blocks that meet there have "
+        "different faces; such meshes can not be refined",
         map.description().blocks[place.block].where,
         place.ijk[0],
         place.ijk[1],
         place.ijk[2]));
 }
 
-bool isHexahedron(const PolyMesh& mesh, std::span<const Label> faces, std::size_t pointCount) {
-    return faces.size() == 6 && pointCount == cornerCount &&
+std::size_t differentCorners(std::array<Label, 8> corners) {
+    std::ranges::sort(corners);
+    return static_cast<std::size_t>(std::unique(corners.begin(), corners.end()) - corners.begin());
+}
+
+/// Whether six quadrilaterals can only be the sides of a cell with eight different corners.
+bool isWhole(const PolyMesh& mesh, std::span<const Label> faces, std::size_t cornersFound) {
+    return cornersFound == cornerCount && faces.size() == 6 &&
            std::ranges::all_of(faces, [&](Label f) { return mesh.faces.rowSize(f) == 4; });
 }
 
+/// Whether each face of a cell is one of its sides.
+bool hasOnlySides(const PolyMesh& mesh,
+                  std::span<const Label> faces,
+                  const std::array<Label, 8>& corners) {
+    std::array<bool, 6> isTaken{};
+    return std::ranges::all_of(faces, [&](Label f) {
+        const Label side = sideOf(corners, mesh.faces[f]);
+        return side >= 0 && !std::exchange(isTaken[index(side)], true);
+    });
+}
+
+/// The corners of each cell. Throws InputError for a cell that is no hexahedron, not even one with
+/// collapsed edges.
 std::vector<std::array<Label, 8>> cornersOfCells(const BlockMap& map, const PolyMesh& mesh) {
     auto corners = freshList<std::array<Label, 8>>(index(mesh.cellCount));
     std::vector<char> isFound(index(mesh.cellCount), 0);
@@ -219,10 +248,13 @@ std::vector<std::array<Label, 8>> cornersOfCells(const BlockMap& map, const Poly
     const Rows<Label> points = cellPoints(mesh, faces);
     const CornerFinder finder(map, mesh);
     parallelFor(mesh.cellCount, [&](Label cell) {
-        isFound[index(cell)] = (isHexahedron(mesh, faces[cell], points[cell].size()) &&
-                                finder.find(cell, points[cell], corners[index(cell)]))
-                                   ? 1
-                                   : 0;
+        std::array<Label, 8>& found = corners[index(cell)];
+        found = finder.find(cell, points[cell]);
+        const std::size_t different = differentCorners(found);
+        const bool fits =
+            different == points[cell].size() &&
+            (isWhole(mesh, faces[cell], different) || hasOnlySides(mesh, faces[cell], found));
+        isFound[index(cell)] = fits ? 1 : 0;
     });
     const auto missing = std::ranges::find(isFound, 0);
     if (missing != isFound.end()) refuse(map, static_cast<Label>(missing - isFound.begin()));
@@ -283,6 +315,9 @@ HexCells hexCells(const BlockMeshDescription& description, const PolyMesh& mesh)
     cells.patches = mesh.patches;
     cells.cellZones = mesh.cellZones;
     cells.corners = cornersOfCells(*map, mesh);
+    cells.hasCollapsed = std::ranges::any_of(cells.corners, [](const std::array<Label, 8>& c) {
+        return differentCorners(c) < cornerCount;
+    });
     std::vector<char> isMoved(index(mesh.cellCount), 0);
     parallelFor(mesh.cellCount,
                 [&](Label cell) { isMoved[index(cell)] = differs(*map, cells, cell) ? 1 : 0; });

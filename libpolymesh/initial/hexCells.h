@@ -21,13 +21,17 @@ struct HexBoundarySide {
 
 /// The cells of an initial mesh as hexahedra that can be refined.
 /// Laws: (1) cells and points are numbered as in the mesh itself; (2) the sides are sorted by
-/// patch, then by cell, then by side.
+/// patch, then by cell, then by side; (3) where edges of a cell have collapsed, the cell has a
+/// corner more than once, and sides without area are not listed.
 struct HexCells {
     std::vector<std::array<Label, 8>> corners; // of each cell, x first, then y, then z
     std::vector<Vec3> points;                  // [m]
     std::vector<HexBoundarySide> sides;
     std::vector<Patch> patches; // start and size are not set
     std::vector<Zone> cellZones;
+
+    /// Whether a cell has a corner more than once.
+    bool hasCollapsed = false;
 
     /// Whether the cells are boxes along the axes.
     bool areBoxes = false;

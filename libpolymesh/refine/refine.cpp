@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/refine/refine.h"
 
+#include "libpolymesh/base/error.h"
 #include "libpolymesh/base/freshList.h"
 #include "libpolymesh/base/parallel.h"
 #include "libpolymesh/refine/forest.h"
+#include "libpolymesh/refine/openCollapsed.h"
 #include "libpolymesh/refine/refinedFaces.h"
+#include "libpolymesh/refine/uniteCollapsed.h"
 
 #include <cmath>
 
@@ -220,13 +223,17 @@ std::vector<Label> firstCellsOf(const Partition& partition, const Leaves& leaves
     return cells;
 }
 
-} // namespace
-
-RefinedMesh
-refine(const HexCells& cells, const RefineOptions& options, const Processes& processes) {
+/// Requires: eight different corners in each cell. `original`: of points that are copies, see
+/// OpenedCells; empty: there are none.
+RefinedMesh refineTrees(const HexCells& cells,
+                        std::span<const Label> original,
+                        const RefineOptions& options,
+                        const Processes& processes) {
     const MacroMesh macro(cells.corners, toLabel(cells.points.size()));
+    const CollapsedEdges collapsed =
+        original.empty() ? CollapsedEdges() : CollapsedEdges(macro, original);
     RefinedOctants refined = selectTogether(cells, options.criteria, processes);
-    balance(macro, options.bufferLayers, refined);
+    balance(macro, options.bufferLayers, refined, collapsed);
     const TreeOctants octants = octantsByTree(macro, refined);
     const Partition partition = partitionByLeaves(octants, processes);
     const Leaves leaves = growForest(macro, refined, octants, partition);
@@ -246,8 +253,24 @@ refine(const HexCells& cells, const RefineOptions& options, const Processes& pro
         }
     }
     PointSetter(cells, result, table.pointCount()).set(table);
+    if (!original.empty()) uniteCollapsed(collapsed, table, result);
     result.mesh.cellZones = refinedZones(cells.cellZones, partition, leaves);
     return result;
+}
+
+} // namespace
+
+RefinedMesh
+refine(const HexCells& cells, const RefineOptions& options, const Processes& processes) {
+    if (!cells.hasCollapsed) return refineTrees(cells, {}, options, processes);
+    require(processes.count() == 1,
+            "cells with collapsed edges can only be refined by one process");
+    OpenedCells opened = openCollapsed(cells.corners, toLabel(cells.points.size()));
+    HexCells trees = cells;
+    trees.corners = std::move(opened.corners);
+    for (std::size_t p = cells.points.size(); p < opened.original.size(); ++p)
+        trees.points.push_back(cells.points[index(opened.original[p])]);
+    return refineTrees(trees, opened.original, options, processes);
 }
 
 } // namespace polymesh

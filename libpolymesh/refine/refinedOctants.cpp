@@ -114,10 +114,14 @@ RefinedOctants selectOctants(Label firstTree, Label lastTree, const Selection& i
     return refined;
 }
 
-void balance(const MacroMesh& mesh, int bufferLayers, RefinedOctants& refined) {
+void balance(const MacroMesh& mesh,
+             int bufferLayers,
+             RefinedOctants& refined,
+             const CollapsedEdges& collapsed) {
     for (std::size_t level = mostLevel - 1; level > 0; --level) {
         if (refined[level].empty()) continue;
         const int l = static_cast<int>(level);
+        collapsed.addTogether(l, refined[level]);
         Keys wide = refined[level];
         for (int layer = 1; layer < bufferLayers; ++layer)
             wide = widened(mesh, wide, l);
@@ -127,6 +131,7 @@ void balance(const MacroMesh& mesh, int bufferLayers, RefinedOctants& refined) {
         both.erase(std::ranges::set_union(coarser, more, both.begin()).out, both.end());
         coarser = std::move(both);
     }
+    collapsed.addTogether(0, refined[0]);
 }
 
 TreeOctants octantsByTree(const MacroMesh& mesh, const RefinedOctants& refined) {

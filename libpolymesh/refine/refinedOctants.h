@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "libpolymesh/refine/collapsedEdges.h"
 #include "libpolymesh/refine/macroMesh.h"
 
 #include <functional>
@@ -22,9 +23,13 @@ RefinedOctants selectOctants(Label firstTree, Label lastTree, const Selection& i
 
 /// Divides further octants until leaves that touch, also at an edge or a point, differ by one
 /// level at most, and between a leaf and one two levels coarser there are at least `bufferLayers`
-/// of the level between. The result is the least such set.
+/// of the level between; and all octants round the same part of a collapsed edge together. The
+/// result is the least such set.
 /// Requires: bufferLayers >= 1. Cost: n log n, in parallel; about 0.1 s for a million leaves.
-void balance(const MacroMesh& mesh, int bufferLayers, RefinedOctants& refined);
+void balance(const MacroMesh& mesh,
+             int bufferLayers,
+             RefinedOctants& refined,
+             const CollapsedEdges& collapsed = {});
 
 /// The divided octants of each tree, with their levels.
 struct TreeOctants {

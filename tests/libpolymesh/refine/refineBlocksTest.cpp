@@ -4,11 +4,14 @@
 #include "libpolymesh/initial/blockHexCells.h"
 #include "libpolymesh/initial/blockParts.h"
 #include "libpolymesh/initial/roundBlocks.h"
+#include "libpolymesh/mesh/cellGeometry.h"
 #include "libpolymesh/mesh/validate.h"
+#include "libpolymesh/refine/openCollapsed.h"
 #include "libpolymesh/refine/refine.h"
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <numbers>
 #include <set>
 
@@ -143,16 +146,122 @@ TEST(RefineBlocks, partsThatAreStitchedRefineAcross) {
         }
 }
 
-TEST(RefineBlocks, collapsedBlocksAreRefusedByPlace) {
-    BlockMeshDescription blocks = bulgingBox(1);
-    blocks.projectedSides.clear();
-    blocks.blocks[0].vertices = {0, 1, 2, 0, 4, 5, 6, 4};
-    blocks.blocks[0].where = "dict:7";
-    try {
-        hexCells(blocks, blockMesh(blocks));
-        FAIL() << "not refused";
-    } catch (const InputError& error) {
-        EXPECT_TRUE(std::string(error.what()).starts_with("dict:7: cell (0 ")) << error.what();
+TEST(RefineBlocks, mergedPatchesRefineAcross) {
+    BlockMeshDescription blocks;
+    for (const double x : {0.0, 1.0})
+        for (const double z : {0.0, 1.0})
+            for (const auto& [u, v] : {std::pair(0.0, 0.0), {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}})
+                blocks.vertices.push_back({x + u, v, z});
+    for (const Label first : {0, 8}) {
+        Block block;
+        for (Label i = 0; i < 8; ++i)
+            block.vertices[index(i)] = first + i;
+        block.cells = {2, 2, 2};
+        blocks.blocks.push_back(block);
+    }
+    blocks.patches = {{{"left", "patch", 0, 0, {}}, {{{1, 2, 6, 5}, ""}}},
+                      {{"right", "patch", 0, 0, {}}, {{{8, 12, 15, 11}, ""}}}};
+    blocks.mergePairs = {{"left", "right", ""}};
+    const Criterion near = [](const RefineCell& cell) {
+        return cell.level < 2 && norm(cell.centre - Vec3{0.8, 0.5, 0.5}) < cell.radius;
+    };
+    const RefinedMesh refined = refineBlocks(blocks, near);
+    for (Label f = refined.mesh.internalFaceCount(); f < refined.mesh.faceCount(); ++f)
+        EXPECT_NE(faceGeometry(refined.mesh.points, refined.mesh.faces[f]).centre.x, 1);
+    EXPECT_EQ(refined.cellLevel.back(), 0);
+    EXPECT_GT(std::ranges::count(refined.cellLevel, 1), 8) << "cells beyond the pair too";
+}
+
+/// Prisms round an axis from (0 0 0) to (0 0 1), a block each.
+BlockMeshDescription wedges(std::size_t count, const std::array<Label, 3>& cells) {
+    BlockMeshDescription blocks;
+    blocks.vertices = {{0, 0, 0}, {0, 0, 1}};
+    for (std::size_t i = 0; i < count; ++i) {
+        const double angle =
+            2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(count);
+        for (const double z : {0.0, 1.0})
+            blocks.vertices.push_back({std::cos(angle), std::sin(angle), z});
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        const Label a = toLabel(2 + 2 * i);
+        const Label b = toLabel(2 + 2 * ((i + 1) % count));
+        Block block;
+        block.vertices = {0, a, b, 0, 1, a + 1, b + 1, 1};
+        block.cells = cells;
+        blocks.blocks.push_back(block);
+    }
+    return blocks;
+}
+
+TEST(RefineBlocks, wedgesRefinedEverywhereAreFinerWedges) {
+    const RefinedMesh refined = refineBlocks(wedges(5, {3, 1, 2}), all(2));
+    const PolyMesh finer = blockMesh(wedges(5, {12, 4, 8}));
+    EXPECT_EQ(refined.mesh.cellCount, finer.cellCount);
+    EXPECT_EQ(refined.mesh.faceCount(), finer.faceCount());
+    EXPECT_EQ(refined.mesh.internalFaceCount(), finer.internalFaceCount());
+    EXPECT_LT(distanceOfSorted(refined.mesh.points, finer.points), 1e-12);
+}
+
+TEST(RefineBlocks, cellsRoundAnAxisAreDividedTogether) {
+    const Criterion near = [](const RefineCell& cell) {
+        return cell.level < 3 && norm(cell.centre - Vec3{0.1, 0.02, 0.3}) < cell.radius;
+    };
+    const RefinedMesh refined = refineBlocks(wedges(5, {3, 1, 2}), near);
+    const PolyMesh& mesh = refined.mesh;
+    std::map<std::array<Label, 2>, std::set<Label>> levelsAtEdge; // on the axis
+    const auto isOnAxis = [&](Label p) {
+        return std::hypot(mesh.points[index(p)].x, mesh.points[index(p)].y) < 1e-12;
+    };
+    for (Label f = 0; f < mesh.faceCount(); ++f)
+        for (std::size_t i = 0; i < mesh.faces[f].size(); ++i) {
+            const Label a = mesh.faces[f][i];
+            const Label b = mesh.faces[f][(i + 1) % mesh.faces[f].size()];
+            if (!isOnAxis(a) || !isOnAxis(b)) continue;
+            std::set<Label>& levels = levelsAtEdge[{std::min(a, b), std::max(a, b)}];
+            levels.insert(refined.cellLevel[index(mesh.owner[index(f)])]);
+            if (mesh.isInternal(f))
+                levels.insert(refined.cellLevel[index(mesh.neighbour[index(f)])]);
+        }
+    EXPECT_GT(levelsAtEdge.size(), 5U) << "the axis is refined";
+    for (const auto& [edge, levels] : levelsAtEdge)
+        EXPECT_EQ(levels.size(), 1U) << "at " << mesh.points[index(edge[0])].z;
+}
+
+TEST(RefineBlocks, aBlockWithAnApexRefines) {
+    BlockMeshDescription blocks;
+    blocks.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 1}};
+    Block block;
+    block.vertices = {0, 1, 2, 3, 4, 4, 4, 4};
+    block.cells = {2, 2, 2};
+    blocks.blocks.push_back(block);
+    const Criterion near = [](const RefineCell& cell) {
+        return cell.level < 2 && norm(cell.centre - Vec3{0.4, 0.4, 0.9}) < cell.radius;
+    };
+    const RefinedMesh refined = refineBlocks(blocks, near);
+    EXPECT_GT(std::ranges::count(refined.cellLevel, 2), 8);
+    EXPECT_NEAR(boundedVolume(refined.mesh), 1.0 / 3, 1e-12);
+    EXPECT_GT(std::ranges::min(computeGeometry(refined.mesh).cellVolumes), 0);
+}
+
+TEST(RefineBlocks, twoCellsRoundAnAxisAreRefused) {
+    const std::vector<MacroMesh::Corners> cells{{0, 2, 0, 4, 1, 3, 1, 5}, {0, 4, 0, 2, 1, 5, 1, 3}};
+    EXPECT_THROW(openCollapsed(cells, 6), InputError);
+}
+
+TEST(RefineBlocks, wedgesOpenToARing) {
+    // Three wedges round the axis from 0 to 1: each end has a copy for each side between them.
+    const std::vector<MacroMesh::Corners> cells{
+        {0, 2, 0, 4, 1, 3, 1, 5}, {0, 4, 0, 6, 1, 5, 1, 7}, {0, 6, 0, 2, 1, 7, 1, 3}};
+    const OpenedCells opened = openCollapsed(cells, 8);
+    EXPECT_EQ(opened.original.size(), 8U + 4U);
+    for (std::size_t c = 0; c < 3; ++c) {
+        const MacroMesh::Corners& own = opened.corners[c];
+        const MacroMesh::Corners& next = opened.corners[(c + 1) % 3];
+        EXPECT_EQ(std::set<Label>(own.begin(), own.end()).size(), 8U);
+        for (const std::size_t up : {0U, 4U}) {
+            EXPECT_EQ(own[2 + up], next[0 + up]);
+            EXPECT_EQ(opened.original[index(own[up])], up == 0 ? 0 : 1);
+        }
     }
 }
 

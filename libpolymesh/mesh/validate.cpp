@@ -5,13 +5,12 @@
 #include "libpolymesh/base/error.h"
 #include "libpolymesh/base/parallel.h"
 #include "libpolymesh/mesh/cellGeometry.h"
+#include "libpolymesh/mesh/edgePairs.h"
 #include "libpolymesh/mesh/topology.h"
 
 #include <algorithm>
 #include <atomic>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <iterator>
 #include <utility>
 
@@ -168,57 +167,6 @@ void checkPatches(const PolyMesh& mesh, Defects& defects) {
 
 // Laws of cells ----------------------------------------------------------------------------------
 
-/// The directed edges of one cell's faces, to be paired off. A small open hash table, used again
-/// for each cell.
-class EdgePairs {
-public:
-    void reset(std::size_t edgeCount) {
-        // Half full when every edge is used twice, never full.
-        const std::size_t size = std::bit_ceil(edgeCount + 2);
-        mask_ = size - 1;
-        slots_.assign(size, Slot{});
-    }
-
-    void add(Label from, Label to) {
-        const Label low = std::min(from, to);
-        const Label high = std::max(from, to);
-        const auto mix = static_cast<std::uint64_t>(low) * 0x9E3779B97F4A7C15U +
-                         static_cast<std::uint64_t>(high) * 0xC2B2AE3D27D4EB4FU;
-        std::size_t at = static_cast<std::size_t>(mix >> 32U) & mask_;
-        while (slots_[at].low >= 0 && (slots_[at].low != low || slots_[at].high != high))
-            at = (at + 1) & mask_;
-        slots_[at].low = low;
-        slots_[at].high = high;
-        ++(from == low ? slots_[at].up : slots_[at].down);
-    }
-
-    /// An edge that is not used once in each direction, or {-1, -1}.
-    std::pair<Label, Label> unpaired() const {
-        for (const Slot& slot : slots_)
-            if (slot.low >= 0 && (slot.up != 1 || slot.down != 1)) return {slot.low, slot.high};
-        return {-1, -1};
-    }
-
-private:
-    struct Slot {
-        Label low = -1;
-        Label high = -1;
-        std::int32_t up = 0;
-        std::int32_t down = 0;
-    };
-
-    std::size_t mask_ = 0;
-    std::vector<Slot> slots_;
-};
-
-void addEdges(std::span<const Label> points, bool reversed, EdgePairs& pairs) {
-    Label previous = points.empty() ? -1 : points.back();
-    for (const Label point : points) {
-        reversed ? pairs.add(point, previous) : pairs.add(previous, point);
-        previous = point;
-    }
-}
-
 /// Six times the volume of the fan tetrahedra of one face against `apex`, and its magnitude.
 std::pair<double, double> fanVolume(const PolyMesh& mesh, Label face, const Vec3& apex) {
     const std::span<const Label> points = mesh.faces[face];
@@ -259,6 +207,10 @@ bool isInsideOut(const PolyMesh& mesh, Label cell, std::span<const Label> faces)
     return volume < 0.1 * magnitude && volumeOf(mesh, cell, faces) < 0;
 }
 
+bool arePolygons(const PolyMesh& mesh, std::span<const Label> faces) {
+    return std::ranges::all_of(faces, [&](Label face) { return mesh.faces.rowSize(face) >= 3; });
+}
+
 void checkCell(const PolyMesh& mesh,
                Label cell,
                std::span<const Label> faces,
@@ -268,16 +220,7 @@ void checkCell(const PolyMesh& mesh,
         found.push_back({5, cell, fmt::format("cell {} has {} faces", cell, faces.size())});
         return;
     }
-    std::size_t edgeCount = 0;
-    bool arePolygons = true;
-    for (const Label face : faces) {
-        edgeCount += index(mesh.faces.rowSize(face));
-        arePolygons = arePolygons && mesh.faces.rowSize(face) >= 3;
-    }
-    pairs.reset(edgeCount);
-    for (const Label face : faces)
-        addEdges(mesh.faces[face], mesh.owner[index(face)] != cell, pairs);
-    const auto [a, b] = pairs.unpaired();
+    const auto [a, b] = unpairedEdge(mesh, cell, faces, pairs);
     if (a >= 0)
         found.push_back(
             {4,
@@ -287,7 +230,7 @@ void checkCell(const PolyMesh& mesh,
                          cell,
                          a,
                          b)});
-    else if (arePolygons && isInsideOut(mesh, cell, faces))
+    else if (arePolygons(mesh, faces) && isInsideOut(mesh, cell, faces))
         found.push_back({1, cell, fmt::format("cell {} has its faces inside out", cell)});
 }
 

@@ -4,11 +4,13 @@
 // blockInit: options and dictionary -> CartesianBox -> constant/polyMesh; blockMeshDict: see
 // blockInitBlocks.
 
+#include "formats/foam/polyMeshIo.h"
 #include "formats/foam/polyMeshWriter.h"
 #include "formats/surfaceIo.h"
 #include "libpolymesh/base/error.h"
 #include "libpolymesh/initial/cartesian.h"
 #include "libpolymesh/initial/flatSides.h"
+#include "libpolymesh/initial/outsideCells.h"
 #include "tools/blockInitBlocks.h"
 #include "tools/blockRefine.h"
 
@@ -26,6 +28,10 @@ const std::vector<Option> ownOptions{
      "M",
      "least distance of the box from the surface [m]; default: H/4, and then the box is "
      "shifted so that grid planes keep clear of flat sides of the surface"},
+    {"inside",
+     "",
+     "with -surface: leave out the cells that are outside the surface and away from it, which "
+     "trimSurface -keep inside would; fewer to write and to read"},
     {"box", "CORNERS", "two corners [m]: \"(x0 y0 z0) (x1 y1 z1)\""},
     {"cells", "COUNTS", "cells of the box in x, y and z: \"(nx ny nz)\""}};
 
@@ -53,15 +59,18 @@ bool isRoundSurface(const Settings& settings) {
     return roundOption;
 }
 
+TriSurface surfaceToMesh(ToolRun& tool) {
+    const auto file = tool.surfaceFile(tool.settings.text("surface"));
+    tool.clock.start("read surface");
+    TriSurface surface = readSurface(file);
+    tool.say("surface    {}, {} triangles", file.string(), surface.triangleCount());
+    return surface;
+}
+
 /// The box round the surface, for cells that stay or are refined.
-CartesianBox boxRoundSurface(ToolRun& tool, bool isRefined) {
-    const Settings& settings = tool.settings;
-    const auto file = tool.surfaceFile(settings.text("surface"));
+CartesianBox boxRound(const TriSurface& surface, const Settings& settings, bool isRefined) {
     const double cellSize = settings.number("cellSize", std::numeric_limits<double>::min());
     const double margin = settings.numberOr(defaultMargin(cellSize), "margin", 0);
-    tool.clock.start("read surface");
-    const TriSurface surface = readSurface(file);
-    tool.say("surface    {}, {} triangles", file.string(), surface.triangleCount());
     const Box bounds = boundingBox(surface.points);
     const CartesianBox box = boxAround(bounds, cellSize, margin);
     // A margin that the user gives places the planes; else they keep clear of flat sides.
@@ -111,13 +120,8 @@ void writeFaces(const foam::PolyMeshWriter& writer, const CartesianMesh& mesh) {
 }
 
 /// Writes block by block: the mesh is never in memory as a whole.
-void write(const ToolRun& tool, const CartesianMesh& mesh) {
-    foam::PolyMeshWriter writer(tool.meshDir(),
-                                tool.writeFormat(),
-                                {.points = mesh.pointCount(),
-                                 .cells = mesh.cellCount(),
-                                 .faces = mesh.faceCount(),
-                                 .internalFaces = mesh.internalFaceCount()});
+void write(const ToolRun& tool, const CartesianMesh& mesh, const foam::MeshCounts& counts) {
+    foam::PolyMeshWriter writer(tool.meshDir(), tool.writeFormat(), counts);
     writer.writePoints([&](Label first, std::span<Vec3> block) {
         for (std::size_t i = 0; i < block.size(); ++i)
             block[i] = mesh.point(first + toLabel(i));
@@ -132,36 +136,73 @@ std::string shown(const Vec3& p) {
     return fmt::format("({:.7g} {:.7g} {:.7g})", p.x, p.y, p.z);
 }
 
-void report(ToolRun& tool, const CartesianBox& box, const CartesianMesh& mesh) {
+void report(ToolRun& tool, const CartesianBox& box, const foam::MeshCounts& counts) {
     const auto& [min, max] = box.box;
     const std::uintmax_t bytes = bytesIn(tool.meshDir());
+    const Label inBox = CartesianMesh(box).cellCount();
+    const Label leftOut = inBox - counts.cells;
     tool.say("box        {} {} m", shown(min), shown(max));
-    tool.say("cells      {} = {}", fmt::join(box.cells, " x "), mesh.cellCount());
-    tool.say("faces      {} ({} internal)", mesh.faceCount(), mesh.internalFaceCount());
-    tool.say("points     {}", mesh.pointCount());
+    tool.say("cells      {} = {}", fmt::join(box.cells, " x "), inBox);
+    if (leftOut > 0)
+        tool.say("left out   {} cells outside the surface, {} are left", leftOut, counts.cells);
+    tool.say("faces      {} ({} internal)", counts.faces, counts.internalFaces);
+    tool.say("points     {}", counts.points);
     tool.say("written    {}, {:.1f} MB", tool.meshDir().string(), static_cast<double>(bytes) / 1e6);
-    tool.report["cells"] = mesh.cellCount();
-    tool.report["faces"] = mesh.faceCount();
-    tool.report["points"] = mesh.pointCount();
+    tool.report["cells"] = counts.cells;
+    tool.report["leftOut"] = leftOut;
+    tool.report["faces"] = counts.faces;
+    tool.report["points"] = counts.points;
     tool.report["box"] = {{min.x, min.y, min.z}, {max.x, max.y, max.z}};
     tool.report["divisions"] = box.cells;
     tool.report["bytes"] = bytes;
 }
 
-ExitCode run(ToolRun& tool) {
-    const std::filesystem::path blocks = blockDictOf(tool);
-    if (!blocks.empty()) return runBlocks(tool, blocks);
-    const auto refinement = refinementOf(tool, {});
-    const CartesianBox box = isRoundSurface(tool.settings)
-                                 ? boxRoundSurface(tool, refinement.has_value())
-                                 : boxGiven(tool.settings);
-    if (refinement) return runRefine(tool, hexCells(box), *refinement);
+ExitCode runBox(ToolRun& tool, const CartesianBox& box) {
     const CartesianMesh mesh(box);
+    const foam::MeshCounts counts{
+        mesh.pointCount(), mesh.cellCount(), mesh.faceCount(), mesh.internalFaceCount()};
     tool.clock.start("write mesh");
-    write(tool, mesh);
+    write(tool, mesh, counts);
     tool.clock.stop();
-    report(tool, box, mesh);
+    report(tool, box, counts);
     return ExitCode::success;
+}
+
+/// The cells of the box that are inside the surface or near it.
+ExitCode runInside(ToolRun& tool, const CartesianBox& box, const TriSurface& surface) {
+    tool.clock.start("leave out cells");
+    const PolyMesh mesh = cartesianMeshWithout(box, outsideCells(box, surface));
+    tool.clock.start("write mesh");
+    foam::writePolyMesh(mesh, tool.meshDir(), tool.writeFormat());
+    tool.clock.stop();
+    report(
+        tool, box, {mesh.pointCount(), mesh.cellCount, mesh.faceCount(), mesh.internalFaceCount()});
+    return ExitCode::success;
+}
+
+/// Refuses -inside where there is no surface, or cells that are not of one size.
+void checkInside(const Settings& settings, bool isPossible) {
+    require(!settings.isOn("inside") || isPossible,
+            "{}: is for a box of equal cells round a surface; leave it out, or give -surface and "
+            "-cellSize and no refinement",
+            settings.place("inside"));
+}
+
+ExitCode run(ToolRun& tool) {
+    const Settings& settings = tool.settings;
+    const std::filesystem::path blocks = blockDictOf(tool);
+    if (!blocks.empty()) {
+        checkInside(settings, false);
+        return runBlocks(tool, blocks);
+    }
+    const bool isRound = isRoundSurface(settings);
+    const auto refinement = refinementOf(tool, {});
+    checkInside(settings, isRound && !refinement);
+    const TriSurface surface = isRound ? surfaceToMesh(tool) : TriSurface{};
+    const CartesianBox box =
+        isRound ? boxRound(surface, settings, refinement.has_value()) : boxGiven(settings);
+    if (refinement) return runRefine(tool, hexCells(box), *refinement);
+    return settings.isOn("inside") ? runInside(tool, box, surface) : runBox(tool, box);
 }
 
 } // namespace

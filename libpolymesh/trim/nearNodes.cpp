@@ -5,7 +5,7 @@
 #include "libpolymesh/base/parallel.h"
 #include "libpolymesh/geometry/box.h"
 #include "libpolymesh/mesh/cellGeometry.h"
-#include "libpolymesh/trim/triangleBins.h"
+#include "libpolymesh/surface/triangleBins.h"
 
 #include <algorithm>
 #include <atomic>

@@ -6,9 +6,9 @@
 #include "libpolymesh/base/kept.h"
 #include "libpolymesh/base/parallel.h"
 #include "libpolymesh/geometry/predicates.h"
-#include "libpolymesh/mesh/boundingBox.h"
+#include "libpolymesh/mesh/cellGeometry.h"
 #include "libpolymesh/mesh/internalFaces.h"
-#include "libpolymesh/trim/triangleBins.h"
+#include "libpolymesh/surface/triangleBins.h"
 
 #include <boost/container/small_vector.hpp>
 
@@ -64,8 +64,7 @@ bool planeMisses(const TriSurface& surface, Label triangle, const Box& box) {
 
 /// Mean edge length of a cell, the wish for the size of bins.
 double meanCellSize(const PolyMesh& mesh) {
-    const Vec3 size = boundingBox(mesh).size();
-    const double volume = std::max(size.x * size.y * size.z, 1e-300);
+    const double volume = std::max(boundedVolume(mesh), 1e-300);
     return std::cbrt(volume / std::max<double>(1, static_cast<double>(mesh.cellCount)));
 }
 

@@ -34,6 +34,35 @@ TEST(BlockInit, putsABoxRoundASurface) {
     EXPECT_EQ(mesh, cartesianMesh(boxAround({{0, 0, 0}, {1, 1, 1}}, 0.25, defaultMargin(0.25))));
 }
 
+TEST(BlockInit, leavesOutWhatIsOutsideOfTheSurface) {
+    const TemporaryCase box;
+    box.write("constant/triSurface/part.obj", tetrahedron);
+    ASSERT_EQ(box.run("blockInit -surface part.obj -cellSize 0.05").status, 0);
+    const Label whole = foam::readPolyMesh(box.dir() / "constant/polyMesh").cellCount;
+    const ProgramResult result =
+        box.run("blockInit -surface part.obj -cellSize 0.05 -inside -json r");
+    ASSERT_EQ(result.status, 0) << result.err;
+    const PolyMesh mesh = foam::readPolyMesh(box.dir() / "constant/polyMesh");
+    EXPECT_LT(mesh.cellCount, whole / 2); // the part is a sixth of its box
+    EXPECT_EQ(mesh.patches.back().name, "outside");
+    const auto report = nlohmann::json::parse(box.read("r"));
+    EXPECT_EQ(report["leftOut"], whole - mesh.cellCount);
+    EXPECT_EQ(report["cells"], mesh.cellCount);
+    EXPECT_EQ(box.run("checkMesh -allTopology").status, 0);
+}
+
+TEST(BlockInit, refusesInsideWithoutASurfaceOrWithRefinement) {
+    const TemporaryCase box;
+    box.write("constant/triSurface/part.obj", tetrahedron);
+    for (const char* command : {"blockInit -box '(0 0 0) (1 2 3)' -cells '(2 3 4)' -inside",
+                                "blockInit -surface part.obj -cellSize 0.2 -level 1 -inside"}) {
+        const ProgramResult result = box.run(command);
+        EXPECT_EQ(result.status, 2) << command;
+        EXPECT_NE(result.err.find("-inside: is for a box of equal cells"), std::string::npos)
+            << result.err;
+    }
+}
+
 TEST(BlockInit, readsItsDictionaryAndOptionsWin) {
     const TemporaryCase box;
     box.write("system/blockInitDict",

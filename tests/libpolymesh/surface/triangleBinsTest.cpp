@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The polymesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "libpolymesh/trim/triangleBins.h"
+#include "libpolymesh/surface/triangleBins.h"
 
 #include "libpolymesh/surface/triangleBoxes.h"
 #include "tests/support/surfaces.h"

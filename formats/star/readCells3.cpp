@@ -137,10 +137,14 @@ private:
             file_.fail(
                 place,
                 fmt::format("expected a line of trimmed cell {} with type flag 0, found cell "
-                            "{} with flag {}",
+                            "{} with flag {}{}",
                             cell,
                             line[0],
-                            line[flagField]));
+                            line[flagField],
+                            line[0] == cell ? "; cells with masks of removed corners in place of "
+                                              "types are not read: write them from pro-STAR as "
+                                              "version 4"
+                                            : ""));
         return line;
     }
 

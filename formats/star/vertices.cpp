@@ -7,6 +7,7 @@
 #include "formats/textScanner.h"
 #include "libpolymesh/base/error.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -37,25 +38,6 @@ const char* skipBlanks(const char* here, const char* end) {
     return here;
 }
 
-/// Words one after the other.
-std::optional<Vertex> parseFree(std::string_view line) {
-    const char* end = line.data() + line.size();
-    Vertex vertex;
-    const auto number = std::from_chars(skipBlanks(line.data(), end), end, vertex.number);
-    if (number.ec != std::errc{} || number.ptr == end || !isBlank(*number.ptr)) return {};
-    const char* here = number.ptr;
-    for (double& x : vertex.coordinates) {
-        here = skipBlanks(here, end);
-        if (here != end && *here == '+') ++here;
-        const auto [last, error] = fast_float::from_chars(here, end, x);
-        const bool isEnd = last == end || isBlank(*last) || *last == '-' || *last == '+';
-        if (error != std::errc{} || !isEnd) return {};
-        here = last;
-    }
-    if (here != end && !isBlank(*here)) return {}; // a fourth number that touches the third
-    return vertex;
-}
-
 /// A number as Fortran may write it, with blanks round it: 1.5D-03, 1.5-103.
 std::optional<double> parseFortran(std::string_view field) {
     std::string text;
@@ -70,6 +52,33 @@ std::optional<double> parseFortran(std::string_view field) {
     const auto [last, error] = fast_float::from_chars(text.data(), end, value);
     if (text.empty() || error != std::errc{} || last != end) return {};
     return value;
+}
+
+/// Words one after the other.
+std::optional<Vertex> parseFree(std::string_view line) {
+    const char* end = line.data() + line.size();
+    Vertex vertex;
+    const auto number = std::from_chars(skipBlanks(line.data(), end), end, vertex.number);
+    if (number.ec != std::errc{} || number.ptr == end || !isBlank(*number.ptr)) return {};
+    const char* here = number.ptr;
+    for (double& x : vertex.coordinates) {
+        here = skipBlanks(here, end);
+        if (here != end && *here == '+') ++here;
+        const auto [last, error] = fast_float::from_chars(here, end, x);
+        if (last != end && (*last == 'D' || *last == 'd')) {
+            const char* wordEnd = std::find_if(here, end, isBlank);
+            const auto value = parseFortran({here, static_cast<std::size_t>(wordEnd - here)});
+            if (!value) return {};
+            x = *value;
+            here = wordEnd;
+            continue;
+        }
+        const bool isEnd = last == end || isBlank(*last) || *last == '-' || *last == '+';
+        if (error != std::errc{} || !isEnd) return {};
+        here = last;
+    }
+    if (here != end && !isBlank(*here)) return {}; // a fourth number that touches the third
+    return vertex;
 }
 
 std::optional<Vertex> parseColumns(std::string_view line) {

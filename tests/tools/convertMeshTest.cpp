@@ -225,6 +225,107 @@ TEST(ConvertMesh, refusesWhatItCannotRead) {
     EXPECT_FALSE(fs::exists(shop.dir() / "b.cel"));
 }
 
+/// A set of files in which one line is another, and what convertMesh says of it.
+struct HostileFile {
+    std::string name;
+    std::size_t line = 0; // from 1; 0: after the last one
+    std::string text;     // in place of the line
+    std::string message;
+};
+
+std::string withLine(const std::string& text, std::size_t line, const std::string& other) {
+    if (line == 0) return text + other;
+    std::size_t first = 0;
+    for (std::size_t i = 1; i < line; ++i)
+        first = text.find('\n', first) + 1;
+    return text.substr(0, first) + other + text.substr(text.find('\n', first));
+}
+
+void expectRefused(const Workshop& shop, const HostileFile& hostile) {
+    const std::string before = shop.read(hostile.name);
+    shop.write(hostile.name, withLine(before, hostile.line, hostile.text));
+    const ProgramResult result = shop.run("convertMesh " + hostile.name.substr(0, 2) + " b");
+    EXPECT_EQ(result.status, 2) << hostile.message;
+    EXPECT_TRUE(result.err.starts_with("convertMesh: " + hostile.message)) << result.err;
+    EXPECT_TRUE(isOneLine(result.err)) << result.err;
+    EXPECT_FALSE(fs::exists(shop.dir() / "b"));
+    shop.write(hostile.name, before);
+}
+
+TEST(ConvertMesh, refusesHostileFilesOfVersion4InOneLine) {
+    const Workshop shop;
+    shop.addCase("a", test::box(2, 1, 1));
+    shop.expectSuccess("convertMesh a p4");
+    std::string baffles;
+    for (int i = 3; i < 2'000'003; ++i)
+        fmt::format_to(std::back_inserter(baffles), "{0} 3 4 1 3\n {0} 2 5 11 8\n", i);
+    const std::vector<HostileFile> hostile{
+        {"p4.vrt", 1, "PROSTAR_CELL", "p4.vrt:1: expected 'PROSTAR_VERTEX', found 'PROSTAR_CELL'"},
+        {"p4.vrt",
+         6,
+         "4 0.0 1000.0",
+         "p4.vrt:6: '4 0.0 1000.0': expected a positive vertex number"},
+        {"p4.cel", 4, "  1 2 1 7 8", "p4.cel:3: cell 1: face 4 has a vertex twice"},
+        {"p4.cel", 6, "  2 3 2 8 9", "p4.cel:6: the file ends where a label of a cell should be"},
+        {"p4.cel", 3, "1 17 8 1 1", "p4.cel:3: cell 1: unknown shape 17; known"},
+        {"p4.cel", 3, "1 11 -8 1 1", "p4.cel:3: the number of labels of a cell '-8'"},
+        {"p4.cel",
+         3,
+         "1 11 2000000000 1 1",
+         "p4.cel:5: expected a line with labels of cell 1, found one of cell 2"},
+        {"p4.cel", 3, "-1 11 8 1 1", "p4.cel:3: the number of a cell '-1'"},
+        {"p4.cel",
+         4,
+         "  1 99 1 7 8 5 4 10 11",
+         "p4.cel:3: cell 1: there is no vertex 99 in p4.vrt"},
+        {"p4.cel", 0, baffles, "p4.cel:9: baffle 4: another baffle has the same vertices"},
+        {"p4.bnd", 3, "1 9 6 1 0 patch", "p4.bnd:3: there is no cell 9"},
+        {"p4.bnd", 3, "1 1 7 1 0 patch", "p4.bnd:3: cell 1 has no face 7"},
+        {"p4.bnd", 3, "1 1 6 -1 0 patch", "p4.bnd:3: the number of a region '-1'"},
+        {"p4.bnd", 12, "10 2", "p4.bnd:12: the file ends where"}};
+    for (const HostileFile& file : hostile)
+        expectRefused(shop, file);
+    shop.expectSuccess("convertMesh p4 b"); // it was for these that it was refused
+}
+
+TEST(ConvertMesh, refusesHostileFilesOfVersion3InOneLine) {
+    const Workshop shop;
+    shop.addCase("a", test::box(2, 1, 1));
+    shop.expectSuccess("convertMesh a p3 -to star3");
+    shop.write("p3.cpl", "");
+    std::string baffles;
+    for (int i = 3; i < 2'000'003; ++i)
+        fmt::format_to(std::back_inserter(baffles), "{} 2 5 11 8 0 0 0 0 1 3\n", i);
+    const std::vector<HostileFile> hostile{
+        {"p3.vrt", 2, "2 0.0 x 0.0", "p3.vrt:2: '2 0.0 x 0.0': expected a positive vertex number"},
+        {"p3.vrt", 2, "1 0. 0. 0.", "p3.vrt:2: vertex 1 is there already"},
+        {"p3.cel", 2, "2 3 2 8 9", "p3.cel:2: expected 11 whole numbers: cell, 8 vertices"},
+        {"p3.cel",
+         2,
+         "2 3 2 8 9 6 5 11 99 1 1",
+         "p3.cel:2: cell 2: there is no vertex 99 in p3.vrt"},
+        {"p3.cel", 2, "2 3 2 8 9 6 5 11 -12 1 1", "p3.cel:2: cell 2: there is no vertex -12 in"},
+        {"p3.cel",
+         2,
+         "-2 3 2 8 9 6 5 11 12 1 1",
+         "p3.cel:2: the number of a cell must be positive"},
+        {"p3.cel", 2, "2 3 2 8 9 6 5 11 12 1 -1", "p3.cel:2: the file ends within the three lines"},
+        {"p3.cel",
+         2,
+         "2 3 2 8 9 6 5 11 12 1 -1\n2 1 0 0 0 0 0 0 0 1 0\n2 0 0 0 0 0 3 0 0 1 0",
+         "p3.cel:2: cell 2: unknown type 3 of a trimmed cell; known are 1, 2, 7, 8 and 85"},
+        {"p3.cel", 0, baffles, "p3.cel:4: baffle 4: another baffle has the same vertices"},
+        {"p3.bnd", 1, "1 1 7 10 99 1 0 WALL", "p3.bnd:1: there is no vertex 99 in p3.vrt"},
+        {"p3.bnd", 1, "1 1 7 10 4 -1 0 WALL", "p3.bnd:1: region -1 is negative"},
+        {"p3.bnd", 10, "10 8 9", "p3.bnd:10: expected 7 whole numbers"},
+        {"p3.cpl", 0, "1 2 1 1 9 2 1\n", "p3.cpl:1: cell 1 has no face 9"},
+        {"p3.cpl", 0, "1 2 1 1 2\n", "p3.cpl:1: the file ends where the number of a cell"},
+        {"p3.cpl", 0, "1 -2 1 1 2 2 1\n", "p3.cpl:1: the number of entries"}};
+    for (const HostileFile& file : hostile)
+        expectRefused(shop, file);
+    shop.expectSuccess("convertMesh p3 b");
+}
+
 TEST(ConvertMesh, leavesTheOldMeshWhenItFails) {
     const Workshop shop;
     const PolyMesh mesh = test::box(3, 2, 1);

@@ -144,6 +144,24 @@ TEST(Star4, acceptsWhatOtherProgramsWrite) {
     EXPECT_EQ(patchSize(readTexts(bare, Version::v4).mesh, "Default_Boundary_Region"), 10);
 }
 
+TEST(Star4, takesAnyNumberOfRegionsAndOfBaffleRegions) {
+    // Region 0 is no region; star4ToFoam has room for 1000 regions, and for one of baffles.
+    const StarMesh numbered =
+        readTexts(changed(".bnd", "1 7 1 3", "9 7 4 0 0 WALL\n1 7 1 99999999"), Version::v4);
+    EXPECT_EQ(patchSize(numbered.mesh, "inle_99999999"), 1);
+    EXPECT_EQ(patchSize(numbered.mesh, "Default_Boundary_Region"), 7);
+    const TemporaryDirectory dir;
+    write(box(3, 1, 1), dir / "m", Version::v4, 1);
+    Texts texts;
+    for (const char* ending : {".vrt", ".cel"})
+        texts[ending] = readText(dir / (std::string("m") + ending));
+    texts[".cel"] += "8 3 4 5 3\n  8 2 6 14 10\n9 3 4 6 3\n  9 3 7 15 11\n";
+    const PolyMesh mesh = readTexts(texts, Version::v4).mesh;
+    EXPECT_EQ(patchSize(mesh, "baffle_5"), 2);
+    EXPECT_EQ(patchSize(mesh, "baffle_6"), 2);
+    EXPECT_EQ(mesh.internalFaceCount(), 0);
+}
+
 TEST(Star4, collapsesRepeatedVertices) {
     // The second cube becomes a prism, its edges at x = 2 one.
     Texts texts = changed(".cel", "19 20 21 22", "19 19 22 22");

@@ -114,7 +114,7 @@ Numbers numbersOfTetrahedra(const Complex& surface) {
     tetgenio in;
     tetgenio out;
     fill(in, surface);
-    std::string switches = "pYQ";
+    std::string switches = "pYq2Q"; // with points inside where tetrahedra would be flat
     tetrahedralize(switches.data(), &in, &out);
     if (out.numberoftrifaces != in.numberoffacets) return {};
     Numbers numbers{static_cast<double>(out.numberofpoints - in.numberofpoints)};

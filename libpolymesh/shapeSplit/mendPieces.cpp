@@ -73,7 +73,7 @@ private:
         const MeshEditor::Mark mark = editor_.mark();
         const std::vector<Proposal> changes = judged(changesOfPiece(editor_, means_, cell));
         if (!makeBest(changes, cell) && !makeSeveral(changes, cell)) return {};
-        const std::vector<Label> round = changedSince(mark);
+        std::vector<Label> round = changedSince(mark);
         editor_.commit();
         return round;
     }
@@ -134,8 +134,12 @@ private:
     /// Makes changes that are costly, or help only together. Sought once for a cell.
     bool makeSeveral(const std::vector<Proposal>& changes, Label cell) {
         if (!hasBeenHard_.insert(cell).second) return false;
-        const auto best = bestOf(judged(changesWithTwoOthers(editor_, means_, cell)));
-        return best ? best->make() : makeSequence(changes);
+        std::vector<Proposal> wide = judged(wideChanges(editor_, means_, cell));
+        if (const auto best = bestOf(wide)) return best->make();
+        wide.insert(wide.end(), changes.begin(), changes.end());
+        if (makeSequence(wide)) return true;
+        const auto best = bestOf(judged(widestChanges(editor_, means_, cell)));
+        return best && best->make();
     }
 
     /// Makes a change that does not help, and what mends the cells round it then.

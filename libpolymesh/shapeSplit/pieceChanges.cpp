@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <set>
+#include <span>
 #include <utility>
 
 namespace polymesh {
@@ -104,14 +106,28 @@ public:
         return list;
     }
 
-    std::vector<PieceChange> changesWithTwo() const {
+    std::vector<PieceChange> wideChanges() const {
         std::vector<PieceChange> list;
+        const std::vector<Label> siblings = siblingsOf(cell_);
+        addRemakes(siblings, list);
+        for (const std::vector<Label>& family : neighboursOf(siblings))
+            addRemakes(together({siblings, family}), list);
         const std::vector<Label> others = partners();
         for (std::size_t i = 0; i < others.size(); ++i)
             for (std::size_t j = i + 1; j < others.size(); ++j) {
                 const std::vector<Label> two{others[i], others[j]};
                 list.push_back({{cell_, two[0], two[1]}, [*this, two] { return fillWith(two); }});
             }
+        return list;
+    }
+
+    std::vector<PieceChange> widestChanges() const {
+        std::vector<PieceChange> list;
+        const std::vector<Label> siblings = siblingsOf(cell_);
+        const auto families = neighboursOf(siblings);
+        for (std::size_t i = 0; i < families.size(); ++i)
+            for (std::size_t j = i + 1; j < families.size(); ++j)
+                addRemakes(together({siblings, families[i], families[j]}), list);
         return list;
     }
 
@@ -130,9 +146,74 @@ public:
     }
 
 private:
-    bool mayUnite(Label other) const {
-        return !editor_->isFrozen(cell_) && !editor_->isFrozen(other) &&
-               means_->mayUnite(cell_, other);
+    bool mayUnite(Label other) const { return mayUnite(cell_, other); }
+
+    bool mayUnite(Label cell, Label other) const {
+        return !editor_->isFrozen(cell) && !editor_->isFrozen(other) &&
+               means_->mayUnite(cell, other);
+    }
+
+    /// The pieces of the same cell as this one that hang together with it, each with one before it.
+    std::vector<Label> siblingsOf(Label cell) const {
+        std::vector<Label> found{cell};
+        for (std::size_t i = 0; i < found.size(); ++i)
+            for (const Label f : editor_->cell(found[i]).faces) {
+                const Label other = editor_->otherCell(f, found[i]);
+                if (other >= 0 && editor_->cell(other).origin == editor_->cell(cell).origin &&
+                    mayUnite(found[i], other) && std::ranges::find(found, other) == found.end())
+                    found.push_back(other);
+            }
+        return found;
+    }
+
+    /// The same of each cell beside these; the first of each has a face with one of these.
+    std::vector<std::vector<Label>> neighboursOf(const std::vector<Label>& cells) const {
+        std::vector<std::vector<Label>> families;
+        std::set<Label> taken(cells.begin(), cells.end());
+        for (const Label cell : cells)
+            for (const Label f : editor_->cell(cell).faces) {
+                const Label other = editor_->otherCell(f, cell);
+                if (other < 0 || taken.contains(other) || !mayUnite(cell, other)) continue;
+                families.push_back(siblingsOf(other));
+                taken.insert(families.back().begin(), families.back().end());
+            }
+        return families;
+    }
+
+    static std::vector<Label> together(const std::vector<std::vector<Label>>& families) {
+        std::vector<Label> all;
+        for (const std::vector<Label>& family : families)
+            all.insert(all.end(), family.begin(), family.end());
+        return all;
+    }
+
+    void addRemakes(const std::vector<Label>& cells, std::vector<PieceChange>& list) const {
+        list.push_back({cells, [*this, cells] {
+                            return remakeAll(cells, [this](Label c) { return remake(c); });
+                        }});
+        list.push_back({cells, [*this, cells] {
+                            return remakeAll(cells, [this](Label c) { return fill(c); });
+                        }});
+    }
+
+    /// Unites cells, each of which has a face with one before it, and makes pieces of them by
+    /// `make`. Those that may not go stay, as one of these.
+    template<class Make>
+    bool remakeAll(const std::vector<Label>& cells, const Make& make) const {
+        const Label cell = cells.front();
+        const std::span<const Label> others = std::span(cells).subspan(1);
+        const Label firstAdded = editor_->cellCount();
+        if (!uniteCells(*editor_, cell, others, means_->firstNewPoint) || !make(cell)) return false;
+        std::vector<Label> pieces{cell};
+        for (Label c = firstAdded; c < editor_->cellCount(); ++c)
+            pieces.push_back(c);
+        std::vector<Label> lasting;
+        for (const Label c : others)
+            if (c < means_->firstNewCell) lasting.push_back(c);
+        const std::size_t needed = lasting.size() + (cell < means_->firstNewCell ? 1 : 0);
+        if (needed > pieces.size()) return false;
+        nameAfterCells(*editor_, pieces, lasting);
+        return true;
     }
 
     std::vector<Label> partners() const {
@@ -166,7 +247,11 @@ private:
 
     bool remake(Label cell) const {
         return makeGoodPieces(*editor_, cell, *means_->tetrahedralise) != Pieces::none ||
-               !fillWithTetrahedra(*editor_, cell, *means_->tetrahedralise).pieces.empty();
+               fill(cell);
+    }
+
+    bool fill(Label cell) const {
+        return !fillWithTetrahedra(*editor_, cell, *means_->tetrahedralise).pieces.empty();
     }
 
     /// All cuts of a face along one chord, and the one into triangles.
@@ -212,7 +297,8 @@ private:
         constexpr int places = 27;
         for (int i = 0; i < places; ++i) {
             if (i == places / 2) continue; // where it is
-            const Vec3 way{i % 3 - 1.0, i / 3 % 3 - 1.0, i / 9 - 1.0};
+            const std::array<int, 3> place{i % 3, i / 3 % 3, i / 9};
+            const Vec3 way{place[0] - 1.0, place[1] - 1.0, place[2] - 1.0};
             const Vec3 to = editor_->point(p) + (length / norm(way)) * way;
             list.push_back({cells, [*this, p, to] {
                                 movePoint(*editor_, p, to, PointRank::interior);
@@ -236,9 +322,12 @@ std::vector<PieceChange> movesOfPiece(MeshEditor& editor, const MendMeans& means
     return Changer(editor, means, cell).moves();
 }
 
-std::vector<PieceChange>
-changesWithTwoOthers(MeshEditor& editor, const MendMeans& means, Label cell) {
-    return Changer(editor, means, cell).changesWithTwo();
+std::vector<PieceChange> wideChanges(MeshEditor& editor, const MendMeans& means, Label cell) {
+    return Changer(editor, means, cell).wideChanges();
+}
+
+std::vector<PieceChange> widestChanges(MeshEditor& editor, const MendMeans& means, Label cell) {
+    return Changer(editor, means, cell).widestChanges();
 }
 
 } // namespace polymesh

@@ -32,8 +32,11 @@ std::vector<PieceChange> changesOfPiece(MeshEditor& editor, const MendMeans& mea
 /// Moves of the cell's new points.
 std::vector<PieceChange> movesOfPiece(MeshEditor& editor, const MendMeans& means, Label cell);
 
-/// The cell and two neighbours become tetrahedra.
-std::vector<PieceChange>
-changesWithTwoOthers(MeshEditor& editor, const MendMeans& means, Label cell);
+/// Changes that cost more: the cell and two neighbours become tetrahedra; all pieces of a cell of
+/// the initial mesh, alone or with those of a neighbour, become other pyramids or tetrahedra.
+std::vector<PieceChange> wideChanges(MeshEditor& editor, const MendMeans& means, Label cell);
+
+/// Changes that cost most: all pieces of a cell of the initial mesh and of two neighbours.
+std::vector<PieceChange> widestChanges(MeshEditor& editor, const MendMeans& means, Label cell);
 
 } // namespace polymesh

@@ -31,13 +31,13 @@ void rename(MeshEditor& editor, Label from, Label to) {
         editor.giveFace(f, from, to);
 }
 
-/// True when a point that the cells share is used by them alone, on the faces between them: it
-/// would be left without a face.
-bool hasPointBetween(const MeshEditor& editor, Label cell, Label other) {
+/// True when a point below `firstNewPoint` that the cells share is used by them alone, on the faces
+/// between them: it would be left without a face.
+bool hasPointBetween(const MeshEditor& editor, Label cell, Label other, Label firstNewPoint) {
     for (const Label f : editor.cell(cell).faces) {
         if (editor.otherCell(f, cell) != other) continue;
         for (const Label p : editor.face(f).points)
-            if (std::ranges::all_of(editor.facesOfPoint(p), [&](Label g) {
+            if (p < firstNewPoint && std::ranges::all_of(editor.facesOfPoint(p), [&](Label g) {
                     const EditFace& face = editor.face(g);
                     return std::minmax(face.owner, face.neighbour) == std::minmax(cell, other);
                 }))
@@ -48,10 +48,13 @@ bool hasPointBetween(const MeshEditor& editor, Label cell, Label other) {
 
 } // namespace
 
-bool uniteCells(MeshEditor& editor, Label cell, std::span<const Label> others) {
+bool uniteCells(MeshEditor& editor,
+                Label cell,
+                std::span<const Label> others,
+                Label firstNewPoint) {
     const MeshEditor::Mark mark = editor.mark();
     for (const Label other : others) {
-        if (hasPointBetween(editor, cell, other)) {
+        if (hasPointBetween(editor, cell, other, firstNewPoint)) {
             editor.undoTo(mark);
             return false;
         }

@@ -4,14 +4,18 @@
 
 #include "libpolymesh/shapeSplit/fillWithTetrahedra.h"
 
+#include <limits>
 #include <span>
 
 namespace polymesh {
 
 /// Unites a cell with others, each of which shares faces with the cell or with one before it; these
 /// are left without faces. False, and nothing is changed, when that does not make a ball, or would
-/// leave a point without a face.
-bool uniteCells(MeshEditor& editor, Label cell, std::span<const Label> others);
+/// leave a point before `firstNewPoint` without a face.
+bool uniteCells(MeshEditor& editor,
+                Label cell,
+                std::span<const Label> others,
+                Label firstNewPoint = std::numeric_limits<Label>::max());
 
 /// Gives the last of the pieces of a united cell the labels of the cells that it was united with.
 void nameAfterCells(MeshEditor& editor,

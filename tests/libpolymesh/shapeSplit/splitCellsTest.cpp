@@ -150,6 +150,19 @@ TEST(SplitCells, takesBentCells) {
     }
 }
 
+TEST(SplitCells, piecesOfVeryBentCellsPassCheckMesh) {
+    if (!hasTetgen()) GTEST_SKIP() << "built without TetGen";
+    int good = 0;
+    for (unsigned seed = 1; seed <= 400; ++seed) {
+        PolyMesh mesh = jittered(refinedNeighbour(), 0.3, seed);
+        if (!checkMesh(mesh, {}).isOk()) continue;
+        ++good;
+        splitByTheLaws(mesh, {{}, tetgenTetrahedraliser()});
+        EXPECT_TRUE(checkMesh(mesh, {}).isOk()) << seed;
+    }
+    EXPECT_GT(good, 20);
+}
+
 TEST(SplitCells, partsBelongToTheZonesAndPatchesOfTheWhole) {
     PolyMesh mesh = refinedNeighbour();
     mesh.cellZones.push_back({"coarse", {4}, {}});

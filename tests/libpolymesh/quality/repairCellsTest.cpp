@@ -35,9 +35,12 @@ TEST(Badness, countsWhatCheckMeshFails) {
 }
 
 TEST(RepairCells, leavesFewerFailures) {
+    Label failuresBefore = 0;
+    Label failuresAfter = 0;
     for (const double distance : {2.53, 3.01, 3.31, 3.57, 4.02}) {
         EditMesh mesh = sliverMesh(distance);
         const Badness before = test::totalBadness(mesh);
+        failuresBefore += before.failures;
         const double volume = test::totalVolume(mesh);
         const RepairCounts counts = repairCells(mesh, RepairEffort::thorough);
         const Badness after = test::totalBadness(mesh);
@@ -46,7 +49,10 @@ TEST(RepairCells, leavesFewerFailures) {
         EXPECT_EQ(counts.bad > 0, before.failures > 0);
         EXPECT_EQ(!counts.left.empty(), after.failures > 0);
         EXPECT_NEAR(test::totalVolume(mesh), volume, 0.01 * volume);
+        failuresAfter += after.failures;
     }
+    EXPECT_GT(failuresBefore, 0);
+    EXPECT_EQ(failuresAfter, 0);
 }
 
 TEST(CleanUp, leavesNothingThatCheckMeshFails) {

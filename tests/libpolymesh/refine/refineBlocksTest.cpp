@@ -48,7 +48,7 @@ CylinderSpec cylinderSpec(Label factor) {
     return spec;
 }
 
-double distanceOfSorted(std::vector<Vec3> a, std::vector<Vec3> b) {
+double distanceOfSorted(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
     EXPECT_EQ(a.size(), b.size());
     double most = 0;
     for (const Vec3& p : a) {
@@ -117,8 +117,7 @@ TEST(RefineBlocks, projectedSidesLieOnTheirShape) {
     };
     const RefinedMesh refined = refineBlocks(bulgingBox(1), near);
     Label onSphere = 0;
-    for (std::size_t p = 0; p < refined.mesh.points.size(); ++p) {
-        const Vec3& x = refined.mesh.points[p];
+    for (const Vec3& x : refined.mesh.points) {
         if (std::abs(norm(x - Vec3{1, 0.5, 0.5}) - std::sqrt(1.5)) < 1e-9) ++onSphere;
         EXPECT_LE(norm(x - Vec3{1, 0.5, 0.5}), std::sqrt(1.5) + 1e-9);
     }

@@ -24,7 +24,7 @@ ShapeSplitCounts splitByTheLaws(PolyMesh& mesh, const ShapeSplitMeans& means = {
     const double volume = volumeOf(mesh);
     const std::vector<double> before = computeGeometry(mesh).cellVolumes;
     std::vector<Label> origins;
-    const ShapeSplitCounts counts = splitUnacceptableCells(mesh, means, &origins);
+    ShapeSplitCounts counts = splitUnacceptableCells(mesh, means, &origins);
     EXPECT_TRUE(validate(mesh).empty());
     EXPECT_NEAR(volumeOf(mesh), volume, 1e-13 * volume);
     const std::vector<double> after = computeGeometry(mesh).cellVolumes;

@@ -73,6 +73,10 @@ TEST(MergeCoincident, whereSurfacesTouchEachOtherToo) {
     expectOnePointAPlace(
         box(4, 4, 4),
         join(cuboid({.125, .125, .25}, {.5, .5, .75}), cuboid({.5, .5, .25}, {.75, .75, .75})));
+    // The edge that they share passes edges of the mesh between their nodes.
+    expectOnePointAPlace(box(4, 4, 4),
+                         join(cuboid({.125, .125, .3125}, {.375, .5, .8125}),
+                              cuboid({.375, .5, .3125}, {.75, .75, .8125})));
 }
 
 TEST(MergeCoincident, distortedMeshesWithNodesOnTheSurface) {

@@ -283,7 +283,7 @@ AdjustedNodes adjustNodes(PolyMesh& mesh,
                           const AdjustOptions& options) {
     if (options.how == Adjust::none || options.distance <= 0) return {};
     const SurfaceTargets targets(surface, features);
-    const bool avoids = options.how == Adjust::avoid;
+    const bool avoids = options.how == Adjust::avoid || !options.avoided.empty();
     const std::vector<NearNode> near =
         findNearNodes(mesh, *surface.surface, farthestReach(options), avoids);
     std::vector<NodeMove> moves = findMoves(mesh, targets, near, options);

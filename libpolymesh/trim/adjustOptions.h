@@ -3,6 +3,7 @@
 #pragma once
 
 #include "libpolymesh/base/label.h"
+#include "libpolymesh/geometry/vec3.h"
 
 #include <cstdint>
 #include <vector>
@@ -15,9 +16,11 @@ enum class Adjust : std::uint8_t { none, project, repel, avoid };
 
 struct AdjustOptions {
     Adjust how = Adjust::none;
-    double distance = 0.3;   // nearer is near; fraction of the shortest edge at the node
-    std::vector<Label> kept; // nodes that stay where they are, ascending
-    bool isForTrim = true;   // projected nodes stand a little inside: see SettledNode
+    double distance = 0.3;         // nearer is near; fraction of the shortest edge at the node
+    std::vector<Label> kept;       // nodes that stay where they are, ascending
+    std::vector<Label> repelled{}; // nodes that are not projected but repelled, ascending
+    std::vector<Vec3> avoided{}; // edges and faces of the mesh keep away from these places too [m]
+    bool isForTrim = true;       // projected nodes stand a little inside: see SettledNode
 };
 
 /// Where a node was moved to; the first is the most important.

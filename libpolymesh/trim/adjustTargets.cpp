@@ -78,6 +78,7 @@ private:
 
     std::optional<NodeMove> project(std::size_t i) const {
         const NearNode& near = near_[i];
+        if (std::ranges::binary_search(options_.repelled, near.node)) return repel(near);
         if (corner_[i] >= 0) return targets_.onCorner(corner_[i]);
         if (near.freedom.isFixed()) return std::nullopt;
         if (auto move = targets_.onEdge(at(near), reach(near), near.freedom)) return move;

@@ -3,7 +3,6 @@
 #include "libpolymesh/trim/avoidFeatures.h"
 
 #include "libpolymesh/base/parallel.h"
-#include "libpolymesh/trim/closestOnSegments.h"
 
 #include <algorithm>
 #include <array>
@@ -29,23 +28,6 @@ Box boxRound(std::span<const Vec3> points, double reach) {
     return {box.min - way, box.max + way};
 }
 
-/// The feature edges and corners that a region may hold, in an order that depends on nothing else.
-std::vector<StraightEdge> featuresNear(const SurfaceTargets& targets, const Box& box) {
-    std::vector<StraightEdge> found;
-    targets.forFeatureEdges(box, [&](const Vec3& a, const Vec3& b) {
-        if (overlaps(boundingBox(std::array{a, b}), box)) found.push_back({a, b});
-    });
-    return found;
-}
-
-std::vector<Vec3> cornersNear(const SurfaceTargets& targets, const Box& box) {
-    std::vector<Vec3> found;
-    targets.forCorners(box, [&](const Vec3& p) {
-        if (box.contains(p)) found.push_back(p);
-    });
-    return found;
-}
-
 /// How a feature passes an edge or a face of the mesh.
 struct Passage {
     Vec3 away;                       // unit vector along which the edge or face has to go
@@ -53,7 +35,7 @@ struct Passage {
     std::array<double, 2> weights{}; // of the two ends of an edge where it passes
 };
 
-/// Of a feature edge beside an edge of the mesh.
+/// Of a feature edge, or a point, beside an edge of the mesh.
 Passage passageOf(const StraightEdge& edge, const StraightEdge& feature) {
     const SegmentPair closest = closestOnSegments(edge, feature);
     const Vec3 way = pointOn(edge, closest.onFirst) - pointOn(feature, closest.onSecond);
@@ -99,9 +81,44 @@ FeatureAvoidance::FeatureAvoidance(const PolyMesh& mesh,
                                    const SurfaceTargets& targets,
                                    const std::vector<NearNode>& near,
                                    const AdjustOptions& options)
-    : mesh_(mesh), targets_(targets), near_(near), options_(options), places_(near.size()) {
+    : mesh_(mesh),
+      targets_(targets),
+      near_(near),
+      options_(options),
+      places_(near.size()),
+      isSettled_(near.size(), 0) {
     placeNodes();
     findPassed();
+}
+
+template<class Visit>
+void FeatureAvoidance::forAvoided(const Box& box, Visit&& visit) const {
+    const auto first = std::ranges::lower_bound(avoided_, box.min.x, {}, &Vec3::x);
+    for (auto p = first; p != avoided_.end() && p->x <= box.max.x; ++p)
+        if (box.contains(*p)) visit(*p);
+}
+
+/// The feature edges that a region may hold, in an order that depends on nothing else; places to
+/// avoid are edges without length.
+std::vector<StraightEdge> FeatureAvoidance::featuresNear(const Box& box) const {
+    std::vector<StraightEdge> found;
+    forAvoided(box, [&](const Vec3& p) { found.push_back({p, p}); });
+    if (options_.how != Adjust::avoid) return found;
+    targets_.forFeatureEdges(box, [&](const Vec3& a, const Vec3& b) {
+        if (overlaps(boundingBox(std::array{a, b}), box)) found.push_back({a, b});
+    });
+    return found;
+}
+
+/// The corners and places to avoid in a region.
+std::vector<Vec3> FeatureAvoidance::cornersNear(const Box& box) const {
+    std::vector<Vec3> found;
+    forAvoided(box, [&](const Vec3& p) { found.push_back(p); });
+    if (options_.how != Adjust::avoid) return found;
+    targets_.forCorners(box, [&](const Vec3& p) {
+        if (box.contains(p)) found.push_back(p);
+    });
+    return found;
 }
 
 void FeatureAvoidance::placeNodes() {
@@ -115,7 +132,7 @@ CloseCounts FeatureAvoidance::count() {
     for (const NearEdge& edge : passed_.edges) {
         const StraightEdge segment = straight(pointsOf(edge));
         const double clear = clearanceOf(edge);
-        const auto features = featuresNear(targets_, boxRound(segment, clear));
+        const auto features = featuresNear(boxRound(segment, clear));
         if (std::ranges::any_of(features, [&](const StraightEdge& feature) {
                 return passageOf(segment, feature).distance < clear;
             }))
@@ -124,7 +141,7 @@ CloseCounts FeatureAvoidance::count() {
     for (Label f = 0; f < passed_.faces.size(); ++f) {
         const auto points = pointsOf(passed_.faces[f]);
         const double clear = clearanceOf(passed_.faces[f]);
-        const auto corners = cornersNear(targets_, boxRound(points, clear));
+        const auto corners = cornersNear(boxRound(points, clear));
         if (std::ranges::any_of(corners, [&](const Vec3& corner) {
                 return passageOf(points, corner).distance < clear;
             }))
@@ -137,7 +154,9 @@ std::vector<NodeMove> FeatureAvoidance::extended(const std::vector<NodeMove>& mo
     placeNodes();
     for (const NodeMove& move : moves) {
         const auto at = std::ranges::lower_bound(near_, move.node, {}, &NearNode::node);
-        places_[static_cast<std::size_t>(at - near_.begin())] = move.place;
+        const auto i = static_cast<std::size_t>(at - near_.begin());
+        places_[i] = move.place;
+        isSettled_[i] = move.target != AdjustTarget::away ? 1 : 0;
     }
     std::vector<std::uint8_t> isTouched(near_.size(), 0);
     for (const NearEdge& edge : passed_.edges)
@@ -151,9 +170,13 @@ std::vector<NodeMove> FeatureAvoidance::extended(const std::vector<NodeMove>& mo
         for (Label f = 0; f < passed_.faces.size(); ++f)
             clearFace(passed_.faces[f]);
         for (std::size_t i = 0; i < near_.size(); ++i)
-            if (isTouched[i] != 0) clearNode(i);
+            if (isTouched[i] != 0 && isSettled_[i] == 0) clearNode(i);
     }
-    return finished();
+    std::vector<NodeMove> all = finished();
+    for (const NodeMove& move : moves)
+        if (move.target != AdjustTarget::away) all.push_back(move);
+    std::ranges::sort(all, {}, &NodeMove::node);
+    return all;
 }
 
 /// Shortest edge at the nodes times the distance that they keep.
@@ -201,17 +224,18 @@ void FeatureAvoidance::addFace(Label f, const std::vector<Label>& nearOf, Passed
     }
     const double reach = (1 + mostWay / clearShare) * clearanceOf(nodes);
     const Box box = boxRound(pointsOf(nodes), reach);
-    if (!featuresNear(targets_, box).empty())
+    if (!featuresNear(box).empty())
         for (std::size_t i = 0; i < nodes.size(); ++i) {
             const Label a = nodes[i];
             const Label b = nodes[(i + 1) % nodes.size()];
             part.edges.push_back({std::min(a, b), std::max(a, b)});
         }
-    if (!cornersNear(targets_, box).empty()) part.faces.add(nodes);
+    if (!cornersNear(box).empty()) part.faces.add(nodes);
 }
 
 /// Moves a node, as far as it may go.
 void FeatureAvoidance::push(Label i, const Vec3& way) {
+    if (isSettled_[index(i)] != 0) return;
     const NearNode& node = near_[index(i)];
     const Vec3& from = mesh_.points[index(node.node)];
     Vec3 whole = places_[index(i)] + node.freedom.along(way) - from;
@@ -225,8 +249,7 @@ void FeatureAvoidance::push(Label i, const Vec3& way) {
 /// together.
 void FeatureAvoidance::clearEdge(const NearEdge& edge) {
     const double clear = clearanceOf(edge);
-    for (const StraightEdge& feature :
-         featuresNear(targets_, boxRound(straight(pointsOf(edge)), clear))) {
+    for (const StraightEdge& feature : featuresNear(boxRound(straight(pointsOf(edge)), clear))) {
         const Passage passage = passageOf(straight(pointsOf(edge)), feature);
         const double missing = clear - passage.distance;
         if (missing <= 0) continue;
@@ -239,7 +262,7 @@ void FeatureAvoidance::clearEdge(const NearEdge& edge) {
 
 void FeatureAvoidance::clearFace(std::span<const Label> nodes) {
     const double clear = clearanceOf(nodes);
-    for (const Vec3& corner : cornersNear(targets_, boxRound(pointsOf(nodes), clear))) {
+    for (const Vec3& corner : cornersNear(boxRound(pointsOf(nodes), clear))) {
         const auto points = pointsOf(nodes);
         const Passage passage = passageOf(points, corner);
         const double missing = clear - passage.distance;
@@ -261,7 +284,7 @@ std::vector<NodeMove> FeatureAvoidance::finished() const {
     std::vector<NodeMove> moves;
     for (std::size_t i = 0; i < near_.size(); ++i) {
         const Vec3& from = mesh_.points[index(near_[i].node)];
-        if (places_[i] == from) continue;
+        if (places_[i] == from || isSettled_[i] != 0) continue;
         NodeMove move;
         move.node = near_[i].node;
         move.target = AdjustTarget::away;

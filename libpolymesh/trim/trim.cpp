@@ -83,17 +83,35 @@ void count(const EditPart& part, const PolyMesh& result, TrimSummary& summary) {
     summary.untouchedCells = result.cellCount - cut;
 }
 
+/// A cell that came out small, and a box round it, wider by half a cell [m].
+struct SmallCell {
+    double share = 0; // of the volume of a cell of the mesh there
+    Vec3 middle;
+    Box box;
+};
+
 /// A trimmed mesh, and boxes round the cells that came out bad, wider by half a cell [m].
 struct Cut {
     Trimmed trimmed;
     std::vector<Box> badPlaces;
-    bool isOpen = false; // there is no mesh: those cells do not close
+    bool isOpen = false;                 // there is no mesh: those cells do not close
+    std::vector<SmallCell> smallCells{}; // when nodes were projected
 };
 
 /// Whether a cell has fewer faces than a cell may have; it may close all the same, when they are
 /// bent.
 bool isStump(const EditCell& cell) {
     return !cell.frozen && !cell.isRemoved() && cell.faces.size() < 4;
+}
+
+Box placeOf(MeshEditor& editor, Label c) {
+    const EditCell& cell = editor.cell(c);
+    Box box;
+    for (const Label f : cell.faces)
+        for (const Label p : editor.face(f).points)
+            box.add(editor.point(p));
+    const Vec3 half = 0.5 * cell.size * Vec3{1, 1, 1};
+    return {box.min - half, box.max + half};
 }
 
 /// The places of the cells that are open, or else of those that checkMesh fails.
@@ -105,15 +123,26 @@ std::vector<Box> findBadPlaces(EditPart& part, bool isOpen) {
         if (cell.frozen || cell.isRemoved()) continue;
         const bool isBad = isOpen ? isStump(cell) || cellShape(part.mesh, c) == CellShape::broken
                                   : isFailing(editor, c);
-        if (!isBad) continue;
-        Box box;
-        for (const Label f : cell.faces)
-            for (const Label p : editor.face(f).points)
-                box.add(editor.point(p));
-        const Vec3 half = 0.5 * cell.size * Vec3{1, 1, 1};
-        places.push_back({box.min - half, box.max + half});
+        if (isBad) places.push_back(placeOf(editor, c));
     }
     return places;
+}
+
+/// Smaller cells, as a share of a cell of the mesh, are worth another try with other nodes. Far
+/// above what chance leaves and far below minVolume.
+constexpr double smallShare = 5e-4;
+
+std::vector<SmallCell> findSmallCells(EditPart& part) {
+    std::vector<SmallCell> found;
+    MeshEditor editor(part.mesh);
+    for (Label c = 0; c < editor.cellCount(); ++c) {
+        const EditCell& cell = editor.cell(c);
+        if (cell.frozen || cell.isRemoved()) continue;
+        const CellGeometry& geometry = editor.cellGeometry(c);
+        const double share = geometry.volume / (cell.size * cell.size * cell.size);
+        if (share < smallShare) found.push_back({share, geometry.centre, placeOf(editor, c)});
+    }
+    return found;
 }
 
 /// The pieces of the cells after clean-up.
@@ -232,6 +261,7 @@ Cut cutMesh(PolyMesh mesh,
     result.summary.adjusted = adjusted.counts;
     if (!adjusted.moved.empty() && result.summary.badCells > 0)
         cut.badPlaces = findBadPlaces(part, false);
+    if (options.adjust.how == Adjust::project) cut.smallCells = findSmallCells(part);
 
     options.onStage("assemble");
     std::vector<std::string> types = options.regionTypes;
@@ -249,31 +279,60 @@ Cut cutMesh(PolyMesh mesh,
     return cut;
 }
 
-/// Adds the moved nodes that are in one of the boxes to `kept`; false when there are none.
-bool keepNodes(const AdjustedNodes& adjusted,
-               const std::vector<Box>& boxes,
-               std::vector<Label>& kept) {
-    const std::size_t before = kept.size();
+/// Adds the moved nodes that are in one of the boxes to a list; false when there are none.
+bool addNodes(const AdjustedNodes& adjusted,
+              const std::vector<Box>& boxes,
+              std::vector<Label>& nodes) {
+    const std::size_t before = nodes.size();
     for (const MovedNode& node : adjusted.moved)
         if (std::ranges::any_of(boxes, [&](const Box& box) { return box.contains(node.place); }))
-            kept.push_back(node.node);
-    std::ranges::sort(kept);
-    return kept.size() > before;
+            nodes.push_back(node.node);
+    std::ranges::sort(nodes);
+    return nodes.size() > before;
 }
 
-/// Adjusts nodes and trims. Where that leaves bad cells it is done again without the
-/// nodes round these, and the best result counts; if there is none, no node is moved.
+/// Has the nodes round small cells repelled, and edges and faces of the mesh keep away from these.
+void avoidCells(const AdjustedNodes& adjusted,
+                const std::vector<SmallCell>& cells,
+                AdjustOptions& options) {
+    std::vector<Box> boxes;
+    for (const SmallCell& cell : cells) {
+        boxes.push_back(cell.box);
+        options.avoided.push_back(cell.middle);
+    }
+    addNodes(adjusted, boxes, options.repelled);
+}
+
+double smallestShare(const std::vector<SmallCell>& cells) {
+    double least = smallShare;
+    for (const SmallCell& cell : cells)
+        least = std::min(least, cell.share);
+    return least;
+}
+
+/// Adjusts nodes and trims. Where that leaves bad cells it is done again without the nodes round
+/// these, where projected nodes leave small ones with these nodes repelled; the best result
+/// counts. If there is none, no node is moved.
 Trimmed trimAdjusted(const PolyMesh& mesh, const FeaturedSurface& surface, TrimOptions options) {
     constexpr int mostTries = 4;
     std::optional<Trimmed> best;
+    double bestShare = 0;
     for (int i = 0; i < mostTries; ++i) {
         PolyMesh moved = mesh;
         const AdjustedNodes adjusted =
             adjustNodes(moved, surface.cutter, surface.features, options.adjust);
         Cut cut = cutMesh(std::move(moved), surface, adjusted, options);
-        if (!cut.isOpen && (!best || cut.trimmed.summary.badCells < best->summary.badCells))
+        const double share = smallestShare(cut.smallCells);
+        const Label bad = cut.trimmed.summary.badCells;
+        const bool isBest = !cut.isOpen && (!best || bad < best->summary.badCells ||
+                                            (bad == best->summary.badCells && share > bestShare));
+        if (isBest) {
             best = std::move(cut.trimmed);
-        if (!keepNodes(adjusted, cut.badPlaces, options.adjust.kept)) break;
+            bestShare = share;
+        }
+        const bool hasKept = addNodes(adjusted, cut.badPlaces, options.adjust.kept);
+        if (!hasKept && cut.smallCells.empty()) break;
+        avoidCells(adjusted, cut.smallCells, options.adjust);
         if (i == 0) options.onStage("try again");
         options.onStage = [](const std::string&) {};
     }

@@ -113,6 +113,7 @@ void BlockDictReader::readBoundary() {
     boundary.values = {listOf(dictionary, "boundary")};
     for (const auto& [name, patch] : foam::namedDictionaries(boundary)) {
         BlockPatch result{{name, patch->word("type"), 0, 0, {}}, {}};
+        refuseMisspeltType(patch->entry("type").value());
         for (const foam::Value& value : patch->list("faces"))
             result.sides.push_back(side(value, "faces"));
         for (const foam::Entry& entry : patch->entries())
@@ -130,6 +131,7 @@ void BlockDictReader::readOldPatches() {
         const std::string name = items.next("the name of a patch").string("patches");
         if (type.word("patches") == "cyclic")
             type.fail("patches", "another type; cyclic without neighbourPatch is not supported");
+        refuseMisspeltType(type);
         BlockPatch result{{name, type.text, 0, 0, {}}, {}};
         for (const foam::Value& value : items.next("the sides of a patch").list("patches"))
             result.sides.push_back(side(value, "patches"));

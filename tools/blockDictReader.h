@@ -72,6 +72,10 @@ private:
 /// is missing: that is an InputError.
 void refuseMisspelt(const foam::Dictionary& dictionary, const std::vector<std::string>& known);
 
+/// Throws InputError when the type of a patch looks like one of OpenFOAM's misspelt. Others pass:
+/// users can have their own.
+void refuseMisspeltType(const foam::Value& type);
+
 /// The list that an entry of the whole dictionary is.
 const foam::Value& listOf(const foam::Dictionary& dictionary, const std::string& key);
 

@@ -24,6 +24,28 @@ const std::vector<std::string> knownKeys{"blocks",
                                          "scale",
                                          "vertices"};
 
+const std::vector<std::string> patchTypes{"cyclic",
+                                          "cyclicACMI",
+                                          "cyclicAMI",
+                                          "cyclicPeriodicAMI",
+                                          "cyclicSlip",
+                                          "directMappedPatch",
+                                          "directMappedWall",
+                                          "empty",
+                                          "generic",
+                                          "mappedPatch",
+                                          "mappedWall",
+                                          "overset",
+                                          "patch",
+                                          "processor",
+                                          "processorCyclic",
+                                          "regionCoupled",
+                                          "regionCoupledWall",
+                                          "symmetry",
+                                          "symmetryPlane",
+                                          "wall",
+                                          "wedge"};
+
 /// Whether two words differ in no more than two neighbouring letters.
 bool areSimilar(const std::string& a, const std::string& b) {
     const std::size_t shorter = std::min(a.size(), b.size());
@@ -58,6 +80,7 @@ void readDefaultPatch(BlockDictReader& reader) {
     foam::requireKnownKeys(patch, {"name", "type"});
     reader.mesh.defaultPatch.name = patch.word("name", "defaultFaces");
     reader.mesh.defaultPatch.type = patch.word("type", "empty");
+    if (patch.has("type")) refuseMisspeltType(patch.entry("type").value());
 }
 
 void readMergePairs(BlockDictReader& reader) {
@@ -71,6 +94,13 @@ void readMergePairs(BlockDictReader& reader) {
 }
 
 } // namespace
+
+void refuseMisspeltType(const foam::Value& type) {
+    if (std::ranges::find(patchTypes, type.text) != patchTypes.end()) return;
+    const std::string nearest = nearestWord(type.text, patchTypes);
+    if (areSimilar(type.text, nearest))
+        type.fail("type", fmt::format("a type of patch; did you mean {}?", nearest));
+}
 
 void refuseMisspelt(const foam::Dictionary& dictionary, const std::vector<std::string>& known) {
     for (const foam::Entry& entry : dictionary.entries()) {

@@ -161,6 +161,8 @@ void renamePatches(const foam::Dictionary& patches, BlockMeshDescription& mesh) 
         const auto patch = std::ranges::find(
             mesh.patches, entry.key, [](const BlockPatch& p) -> auto& { return p.patch.name; });
         patch->patch.type = entry.dictionary->word("type", "patch");
+        if (entry.dictionary->has("type"))
+            refuseMisspeltType(entry.dictionary->entry("type").value());
     }
     // No new name may be taken for one of the old ones.
     for (const std::string& name : known)

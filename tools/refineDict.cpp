@@ -7,6 +7,7 @@
 #include "libpolymesh/refine/octant.h"
 #include "libpolymesh/refine/regionCriteria.h"
 #include "libpolymesh/refine/surfaceCriteria.h"
+#include "libpolymesh/surface/check.h"
 #include "libpolymesh/surface/regions.h"
 
 #include <algorithm>
@@ -55,6 +56,8 @@ std::vector<Shell> shellsOf(const Dictionary& dictionary) {
         if (distance < 0) item.items[0].fail("levels", "a distance, not negative [m]");
         shells.push_back({distance, levelOf(item.items[1], "levels")});
     }
+    if (shells.empty())
+        dictionary.entry("levels").value().fail("levels", "at least one pair (distance level)");
     return shells;
 }
 
@@ -63,6 +66,16 @@ const Dictionary& inner(const foam::Entry& entry) {
     if (!entry.dictionary)
         throw InputError(fmt::format("{}: {}: expected {{...}}", entry.place.text(), entry.key));
     return *entry.dictionary;
+}
+
+/// Throws InputError when a dictionary has none of the keys: it would do nothing.
+void requireOneOf(const foam::Entry& entry, const std::vector<std::string>& keys) {
+    const Dictionary& dictionary = inner(entry);
+    require(std::ranges::any_of(keys, [&](const std::string& key) { return dictionary.has(key); }),
+            "{}: {}: says nothing, expected one of {}",
+            entry.place.text(),
+            entry.key,
+            fmt::join(keys, ", "));
 }
 
 /// Reads the criteria of one surface.
@@ -75,8 +88,6 @@ public:
           options_(options) {}
 
     void read() {
-        foam::requireKnownKeys(
-            dictionary_, {"file", "level", "levels", "curvature", "features", "gaps", "regions"});
         readRegions();
         if (dictionary_.has("level")) addShells(trianglesLeft(), {{0, levelOf(dictionary_)}});
         if (dictionary_.has("levels"))
@@ -127,6 +138,7 @@ void SurfaceReader::readRegions() {
         const auto region = static_cast<std::size_t>(found - names.begin());
         const Dictionary& own = inner(entry);
         foam::requireKnownKeys(own, {"level", "levels"});
+        requireOneOf(entry, {"level", "levels"});
         const std::span<const Label> members = triangles[toLabel(region)];
         hasOwnLevel_[region] = own.has("level");
         if (own.has("level")) addShells({members.begin(), members.end()}, {{0, levelOf(own)}});
@@ -181,8 +193,21 @@ Region cylinderOf(const Dictionary& dictionary) {
 
 Region closedSurfaceOf(const Dictionary& dictionary, const RefineFiles& files) {
     foam::requireKnownKeys(dictionary, {"type", "mode", "level", "file"});
-    return surfaceRegion(std::make_shared<const NearTriangles>(
-        std::make_shared<const TriSurface>(files.surface(dictionary.string("file")))));
+    const foam::Entry& file = dictionary.entry("file");
+    auto surface = std::make_shared<const TriSurface>(files.surface(dictionary.string("file")));
+    const SurfaceDefects defects = checkSurface(*surface);
+    if (!defects.isClosed()) {
+        const Finding& first =
+            defects.openEdges.count > 0 ? defects.openEdges : defects.misorientedEdges;
+        file.value().fail("file",
+                          fmt::format("a closed surface; {} edges of this one are open or turned "
+                                      "the wrong way, the first at ({:.6g} {:.6g} {:.6g})",
+                                      defects.openEdges.count + defects.misorientedEdges.count,
+                                      first.first.x,
+                                      first.first.y,
+                                      first.first.z));
+    }
+    return surfaceRegion(std::make_shared<const NearTriangles>(std::move(surface)));
 }
 
 /// One of `words`, else InputError that names the nearest.
@@ -214,6 +239,9 @@ void readRegion(const Dictionary& dictionary, const RefineFiles& files, RefineOp
 void readSurface(const foam::Entry& entry, const RefineFiles& files, RefineOptions& options) {
     const Dictionary& dictionary = inner(entry);
     const std::string name = dictionary.string("file", entry.key);
+    foam::requireKnownKeys(dictionary,
+                           {"file", "level", "levels", "curvature", "features", "gaps", "regions"});
+    requireOneOf(entry, {"level", "levels", "curvature", "features", "gaps", "regions"});
     SurfaceReader(dictionary, files.surface(name), options).read();
 }
 

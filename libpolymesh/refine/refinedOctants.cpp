@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/refine/refinedOctants.h"
 
+#include "libpolymesh/base/error.h"
 #include "libpolymesh/base/kept.h"
 #include "libpolymesh/base/parallel.h"
 #include "libpolymesh/refine/octantNeighbours.h"
@@ -14,6 +15,9 @@ namespace {
 using Keys = std::vector<OctantKey>;
 
 constexpr Label blockSize = 1 << 12; // octants that a thread takes at a time
+
+/// Each makes seven more cells, and a cell three faces or so, of which there can be 2^31.
+constexpr std::size_t mostDivided = 100'000'000;
 
 Keys childrenOf(const Keys& parents, int level) {
     Keys children(8 * parents.size());
@@ -109,6 +113,11 @@ RefinedOctants selectOctants(Label firstTree, Label lastTree, const Selection& i
     for (int level = 0; level < mostLevel && !candidates.empty(); ++level) {
         Keys& list = refined[static_cast<std::size_t>(level)];
         list = chosen(candidates, isWanted(level, candidates));
+        require(list.size() <= mostDivided,
+                "refinement: more than {} cells are to be divided at level {}, too many for labels "
+                "of 32 bits; ask for less",
+                mostDivided,
+                level);
         candidates = childrenOf(list, level);
     }
     return refined;

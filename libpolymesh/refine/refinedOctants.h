@@ -18,7 +18,7 @@ using RefinedOctants = std::array<std::vector<OctantKey>, mostLevel>;
 using Selection = std::function<std::vector<char>(int level, std::span<const OctantKey> octants)>;
 
 /// Asks for the trees from `firstTree` up to `lastTree`, then for the children of those that are
-/// divided, and so on.
+/// divided, and so on. Throws InputError when there would be too many cells to number.
 RefinedOctants selectOctants(Label firstTree, Label lastTree, const Selection& isWanted);
 
 /// Divides further octants until leaves that touch, also at an edge or a point, differ by one

@@ -85,8 +85,10 @@ FeatureAvoidance::FeatureAvoidance(const PolyMesh& mesh,
       targets_(targets),
       near_(near),
       options_(options),
+      avoided_(options.avoided),
       places_(near.size()),
       isSettled_(near.size(), 0) {
+    std::ranges::sort(avoided_, {}, &Vec3::x);
     placeNodes();
     findPassed();
 }

@@ -156,6 +156,32 @@ TEST(AdjustNodes, repelLeavesNoNodeNear) {
     EXPECT_GT(worstCell(mesh), 0.1);
 }
 
+TEST(AdjustNodes, edgesGoAwayFromPlacesToAvoid) {
+    // Nodes at x = 1 are projected; the edge from (3, 1, 1) to (3, 2, 1) passes the place.
+    const TriSurface surface = cuboid({0.9, -9, -9}, {3.6, 9, 9});
+    PolyMesh mesh = box(4, 4, 4, {4, 4, 4});
+    AdjustOptions options = project;
+    options.avoided = {{3.01, 1.5, 1}};
+    const AdjustedNodes adjusted = adjust(mesh, surface, options);
+    const auto at = [](Label i, Label j, Label k) { return index(i + 5 * (j + 5 * k)); };
+    const Vec3 middle = 0.5 * (mesh.points[at(3, 1, 1)] + mesh.points[at(3, 2, 1)]);
+    EXPECT_GT(norm(middle - options.avoided[0]), 0.119);
+    EXPECT_EQ(adjusted.counts.faces, 25);
+    for (const SettledNode& node : adjusted.settled)
+        EXPECT_EQ(node.place.x, 0.9);
+}
+
+TEST(AdjustNodes, nodesAreRepelledOnRequest) {
+    const TriSurface surface = cuboid({0.9, -9, -9}, {3.6, 9, 9});
+    PolyMesh mesh = box(4, 4, 4, {4, 4, 4});
+    AdjustOptions options = project;
+    options.repelled = {1 + 5 * (2 + 5 * 2)};
+    const AdjustedNodes adjusted = adjust(mesh, surface, options);
+    EXPECT_EQ(adjusted.counts.faces, 24);
+    EXPECT_EQ(adjusted.counts.away, 1);
+    EXPECT_NEAR(mesh.points[index(options.repelled[0])].x, 1.2, 1e-12);
+}
+
 TEST(AdjustNodes, refusesWhatMakesACellTooThin) {
     PolyMesh mesh = box(4, 4, 4, {4, 4, 4});
     // Both layers of nodes beside this plate would go onto it.
@@ -239,6 +265,25 @@ TEST(Adjust, smallestCellsAndEdgesGrow) {
     EXPECT_LT(none, 1e-4);
     EXPECT_GT(smallest(repel), 20 * none);
     EXPECT_GT(smallest(project), 20 * none);
+}
+
+TEST(Adjust, projectLeavesNoSmallCellWhateverTheBody) {
+    for (unsigned seed = 1; seed <= 8; ++seed) {
+        const TriSurface body = skewCuboid(seed);
+        const auto smallest = [&](Adjust how) {
+            TrimOptions options;
+            options.adjust.how = how;
+            options.minEdge = options.minVolume = 0;
+            options.mendsCells = false;
+            const PolyMesh mesh = trim(box(14, 14, 14), body, options).mesh;
+            EXPECT_TRUE(validate(mesh).empty());
+            return std::ranges::min(computeGeometry(mesh).cellVolumes) * (14 * 14 * 14);
+        };
+        const double none = smallest(Adjust::none);
+        const double project = smallest(Adjust::project);
+        EXPECT_GT(project, 20 * none) << "seed " << seed;
+        EXPECT_GT(project, 1e-4) << "seed " << seed;
+    }
 }
 
 } // namespace polymesh::test

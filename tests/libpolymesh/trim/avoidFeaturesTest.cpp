@@ -17,28 +17,12 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <random>
 
 namespace polymesh::test {
 namespace {
 
 const AdjustOptions avoid{Adjust::avoid, 0.3, {}};
-
-/// A cuboid that stands askew in the unit box: many edges of a grid pass its edges closely.
-TriSurface skewCuboid(unsigned seed) {
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<double> angle(0, 3);
-    const double a = angle(random);
-    const double b = angle(random);
-    TriSurface surface = cuboid({-0.27, -0.22, -0.18}, {0.27, 0.22, 0.18});
-    for (Vec3& p : surface.points) {
-        p = {std::cos(a) * p.x - std::sin(a) * p.y, std::sin(a) * p.x + std::cos(a) * p.y, p.z};
-        p = {p.x, std::cos(b) * p.y - std::sin(b) * p.z, std::sin(b) * p.y + std::cos(b) * p.z};
-        p += {0.5, 0.51, 0.49};
-    }
-    return surface;
-}
 
 Trimmed trimForMidPoints(const TriSurface& surface, Adjust how) {
     TrimOptions options;

@@ -21,6 +21,14 @@ constexpr const char* cylinder =
     "cylinder { point1 (0 0 0); point2 (0 0 3); radius 1; cells (2 16 6); }\n"
     "refinement { regions { a { type sphere; centre (1 0 1.6); radius 0.2; level 3; } } }\n";
 
+constexpr const char* zones =
+    "parts (\n"
+    "cylinder { point1 (0 0 0); point2 (0 0 2); radius 1; cells (2 8 4); zone low;\n"
+    "           patches { bottom inlet; side pipe; } }\n"
+    "cylinder { point1 (0 0 2); point2 (0 0 3); radius 1; cells (2 8 2); zone high;\n"
+    "           patches { side pipe; top outlet; } } );\n"
+    "refinement { regions { a { type sphere; centre (0.5 0 2); radius 0.2; level 2; } } }\n";
+
 std::string mpirun(int processes) {
     return fmt::format("OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
                        "mpirun --oversubscribe -np {} ",
@@ -87,6 +95,18 @@ void expectPartOf(const PolyMesh& all, const Part& part, std::vector<int>& uses)
         else
             EXPECT_EQ(mesh.patches[p].name, all.patches[index(part.patches[p])].name);
     }
+    for (const Zone& zone : mesh.cellZones) {
+        const auto whole = std::ranges::find(all.cellZones, zone.name, &Zone::name);
+        ASSERT_NE(whole, all.cellZones.end()) << zone.name;
+        std::vector<Label> expected; // those of its cells that are here
+        for (const Label cell : whole->labels)
+            if (cell >= part.cells.front() && cell <= part.cells.back()) expected.push_back(cell);
+        std::vector<Label> found;
+        for (const Label cell : zone.labels)
+            found.push_back(part.cells[index(cell)]);
+        EXPECT_EQ(found, expected) << zone.name;
+    }
+    EXPECT_EQ(mesh.cellZones.size(), all.cellZones.size());
     EXPECT_TRUE(validate(mesh).empty()) << validate(mesh).front().message;
 }
 
@@ -144,6 +164,21 @@ TEST(BlockInitParallel, fiveProcessesMakeTheMeshOfOne) {
 
 TEST(BlockInitParallel, threeProcessesMakeTheRoundMeshOfOne) {
     expectAsSerial(cylinder, 3);
+}
+
+TEST(BlockInitParallel, fourProcessesMakeTheZonesAndPatchesOfOne) {
+    expectAsSerial(zones, 4);
+}
+
+TEST(BlockInitParallel, collapsedBlocksAreForOneProcess) {
+    const TemporaryCase box;
+    box.write("system/blockInitDict",
+              "cylinder { point1 (0 0 0); point2 (0 0 1); radius 1; cells (2 4 2); angle 90; }\n");
+    ASSERT_EQ(box.run("blockInit").status, 0);
+    const ProgramResult result = box.run(mpirun(2) + "blockInit -parallel");
+    EXPECT_EQ(result.status, 2);
+    EXPECT_NE(result.err.find("-parallel: blocks with collapsed edges"), std::string::npos)
+        << result.err;
 }
 
 TEST(BlockInitParallel, openFoamAcceptsTheParts) {

@@ -100,6 +100,7 @@ TEST(BlockMeshDict, whatIsWrongIsSaidWithFileLineAndExpectation) {
         {with("arc 0 1 (0.5 -0.2 0)", "arc 0 1 (2 0 0)"), "Dict:5: the three points of this arc"},
         {with("arc 0 1", "ark 0 1"), "Dict:5: edges: found ark, expected arc, line,"},
         {with("arc 0 1 (0.5 -0.2 0)", "arc 0 1"), "Dict:5: edges: the list ends where a point"},
+        {with("type wall", "type walls"), "Dict:6: type: found walls, expected a type of patch;"},
         {with("(0 4 7 3)", "(0 4 7 2)"), "Dict:7: patch sides: (0 4 7 2) is no side of a block"},
         {with("(0 4 7 3)", "(b 4)"), "Dict:7: patch sides: side (0 3 2 1) belongs to patch floor"},
         {with("scale 0.1", "scale 0"), "Dict:2: scale: found 0, expected a positive number"},

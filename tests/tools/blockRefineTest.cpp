@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace polymesh::tools {
@@ -20,16 +21,21 @@ void expectValidMesh(const TemporaryCase& box) {
     EXPECT_TRUE(defects.empty()) << defects.front().message;
 }
 
-/// blockInit with this dictionary fails with status 2 and says all of it.
+/// blockInit with this dictionary fails with status 2, says all of it in one line, and leaves the
+/// mesh that is there.
 void expectRefused(const std::string& dictionary, const std::vector<std::string>& said) {
     const TemporaryCase box;
     box.write("part.obj", tetrahedron);
+    box.write("open.obj", std::string(tetrahedron).substr(0, std::string(tetrahedron).rfind('f')));
+    box.write("constant/polyMesh/points", "old");
     box.write("system/blockInitDict",
               "box ((0 0 0) (1 1 1)); cells (2 2 2);\nrefinement\n" + dictionary);
     const ProgramResult result = box.run("blockInit");
     EXPECT_EQ(result.status, 2) << dictionary;
     for (const std::string& text : said)
         EXPECT_NE(result.err.find(text), std::string::npos) << text << " in " << result.err;
+    EXPECT_EQ(std::ranges::count(result.err, '\n'), 1) << result.err;
+    EXPECT_EQ(box.read("constant/polyMesh/points"), "old");
 }
 
 } // namespace
@@ -99,6 +105,11 @@ TEST(BlockRefine, refusesWrongDictionariesByPlace) {
     expectRefused("{ surfaces { part.obj { level 99; } } }", {"blockInitDict:3: level", "11"});
     expectRefused("{ surfaces { part.obj { levels ((1 2 3)); } } }", {"blockInitDict:3: levels"});
     expectRefused("{ surfaces { part.obj { levels ((-1 2)); } } }", {"blockInitDict:3: levels"});
+    expectRefused("{ surfaces { part.obj { levels (); } } }", {"blockInitDict:3: levels", "pair"});
+    expectRefused("{ surfaces { part.obj { level nan; } } }", {"blockInitDict:3: level", "nan"});
+    expectRefused("{ surfaces { part.obj { } } }", {"blockInitDict:3: part.obj: says nothing"});
+    expectRefused("{ surfaces { part.obj { regions { part { } } } } }",
+                  {"blockInitDict:3: part: says nothing", "level, levels"});
     expectRefused("{ surfaces {\n gone.obj { level 1; } } }", {"blockInitDict:4", "gone.obj"});
     expectRefused("{ surfaces { part.obj { regions { prt { level 1; } } } } }",
                   {"blockInitDict:3", "prt", "nearest is 'part'"});
@@ -114,6 +125,8 @@ TEST(BlockRefine, refusesWrongDictionariesByPlace) {
                   {"blockInitDict:3: radius"});
     expectRefused("{ regions { a { type box; mode inner; level 1; min (0 0 0); max (1 1 1); } } }",
                   {"blockInitDict:3: mode", "inside"});
+    expectRefused("{ regions { a { type surface; file open.obj; level 1; } } }",
+                  {"blockInitDict:3: file", "closed surface; 3 edges"});
     expectRefused("{ cellSets { gone { level 1; } } }", {"blockInitDict:3", "gone"});
     expectRefused("{ nCellsBetweenLevels 0; }", {"blockInitDict:3: nCellsBetweenLevels"});
     expectRefused("{ regions 5; }", {"blockInitDict:3", "regions"});

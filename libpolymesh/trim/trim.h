@@ -73,7 +73,8 @@ struct Trimmed {
 /// nothing is left; WorkError on a bug.
 /// Cost: O(mesh) with a small constant, and about 10 us for a cut cell. The mesh is taken by value
 /// and let go early: move it in where memory matters. With `adjust` it is kept, since where that
-/// makes bad cells the trim is done again without the moves round them. Source: the paper,
+/// makes bad cells the trim is done again without the moves round them, and where projected nodes
+/// leave small cells with other moves. Source: the paper,
 /// section 2.3; docs/trim.md.
 Trimmed trim(PolyMesh mesh, TriSurface surface, const TrimOptions& options);
 

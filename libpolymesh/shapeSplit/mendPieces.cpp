@@ -131,15 +131,23 @@ private:
                        after->severity - before.severity};
     }
 
-    /// Makes changes that are costly, or help only together. Sought once for a cell.
+    /// Makes changes that are costly, or help only together. Sought once for a cell, and not for
+    /// ever: where very many cells are hard, the mesh is too coarse for what it shows.
     bool makeSeveral(const std::vector<Proposal>& changes, Label cell) {
-        if (!hasBeenHard_.insert(cell).second) return false;
-        std::vector<Proposal> wide = judged(wideChanges(editor_, means_, cell));
+        constexpr std::int64_t mostTries = 100'000; // some seconds
+        if (tries_ > mostTries || !hasBeenHard_.insert(cell).second) return false;
+        std::vector<Proposal> wide = judgedWide(wideChanges(editor_, means_, cell));
         if (const auto best = bestOf(wide)) return best->make();
         wide.insert(wide.end(), changes.begin(), changes.end());
         if (makeSequence(wide)) return true;
-        const auto best = bestOf(judged(widestChanges(editor_, means_, cell)));
+        const auto best = bestOf(judgedWide(widestChanges(editor_, means_, cell)));
         return best && best->make();
+    }
+
+    std::vector<Proposal> judgedWide(const std::vector<PieceChange>& changes) {
+        constexpr std::int64_t cost = 20; // a wide change takes as long as so many others
+        tries_ += cost * toLabel(changes.size());
+        return judged(changes);
     }
 
     /// Makes a change that does not help, and what mends the cells round it then.
@@ -179,7 +187,7 @@ private:
     MeshEditor& editor_;
     const MendMeans& means_;
     std::set<Label> hasBeenHard_; // cells for which several changes have been sought
-    std::int64_t tries_ = 0;
+    std::int64_t tries_ = 0;      // changes judged, by their cost
 };
 
 } // namespace

@@ -7,6 +7,7 @@
 #include "formats/surfaceIo.h"
 #include "libpolymesh/mps/makeDivisible.h"
 #include "libpolymesh/mps/projectBoundary.h"
+#include "libpolymesh/reference/tetgen.h"
 #include "libpolymesh/surface/orient.h"
 #include "tools/mpsSplitReport.h"
 #include "tools/mpsSplitSets.h"
@@ -41,8 +42,8 @@ ExitCode run(ToolRun& tool) {
     const TravellingSets travelling = takeSets(tool.meshDir(), mesh);
     tool.clock.start("plan");
     const UndividedMesh undivided = describe(mesh);
-    Divisible divisible =
-        makeDivisible(std::move(mesh), {travelling.cellZones, travelling.faceZones});
+    Divisible divisible = makeDivisible(
+        std::move(mesh), {{travelling.cellZones, travelling.faceZones}, tetgenTetrahedraliser()});
     project(tool, divisible);
     const MpsFigures figures = figuresOf(undivided, divisible);
     tool.clock.start("divide");

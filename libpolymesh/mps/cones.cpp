@@ -170,7 +170,7 @@ private:
 
     /// Numbers the groups from 0; none when one is bad.
     std::optional<CellCones> result() const {
-        CellCones cones{cell_, centre_, std::vector<int>(groupOf_.size(), -1), 0, {}};
+        CellCones cones{cell_, {centre_}, std::vector<int>(groupOf_.size(), -1), 0, {}};
         std::map<int, int> number;
         for (std::size_t f = 0; f < groupOf_.size(); ++f) {
             if (!trials_[static_cast<std::size_t>(groupOf_[f])].isGood) return std::nullopt;
@@ -206,12 +206,13 @@ void extendZones(std::vector<Zone>& zones, std::span<const CellCones> cones, Lab
     }
 }
 
-/// Adds the point, the cells and the triangles of one cell's cones, and gives its faces to them:
+/// Adds the points, the cells and the triangles of one cell's cones, and gives its faces to them:
 /// in mesh.owner where the cell owns them, else in `loose`.
 void cutCell(PolyMesh& mesh,
              const Rows<Label>& cellFaces,
              const CellCones& c,
              std::vector<LooseFace>& loose) {
+    const Label firstPoint = mesh.pointCount();
     const auto cellOf = [&](int group) { return group == 0 ? c.cell : mesh.cellCount + group - 1; };
     const auto add = [&](int left, int right, Polygon loop) {
         const Label inside = cellOf(left);
@@ -221,20 +222,24 @@ void cutCell(PolyMesh& mesh,
             loose.push_back(
                 {std::min(inside, outside), std::max(inside, outside), std::move(loop), -1});
     };
-    for (const CellWall& wall : c.walls)
-        add(wall.inside, wall.outside, wall.loop);
+    for (const CellWall& wall : c.walls) {
+        std::vector<Label> loop = wall.loop;
+        for (Label& p : loop)
+            p = p < 0 ? firstPoint - 1 - p : p;
+        add(wall.inside, wall.outside, std::move(loop));
+    }
     // The triangle b, a, centre leaves the cell on the left.
     if (c.walls.empty())
         for (const CellEdge& e : edgesOf(outwardLoops(mesh, cellFaces, c.cell)))
             add(c.groupOf[static_cast<std::size_t>(e.left)],
                 c.groupOf[static_cast<std::size_t>(e.right)],
-                {e.b, e.a, mesh.pointCount()});
+                {e.b, e.a, firstPoint});
     for (std::size_t f = 0; f < c.groupOf.size(); ++f) {
         const Label face = cellFaces[c.cell][f];
         const bool isOwned = mesh.owner[index(face)] == c.cell;
         (isOwned ? mesh.owner[index(face)] : loose[index(face)].neighbour) = cellOf(c.groupOf[f]);
     }
-    if (c.walls.empty()) mesh.points.push_back(c.centre);
+    mesh.points.insert(mesh.points.end(), c.points.begin(), c.points.end());
     mesh.cellCount += c.groupCount - 1;
 }
 

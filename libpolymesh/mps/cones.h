@@ -12,16 +12,16 @@ namespace polymesh {
 
 /// A new face between two parts of a cell; the loop runs round as seen from outside of `inside`.
 struct CellWall {
-    std::vector<Label> loop;
-    int inside = -1; // groups
+    std::vector<Label> loop; // -1 - k: the cell's new point k
+    int inside = -1;         // groups
     int outside = -1;
 };
 
 /// A cell cut into parts: its faces in groups, each group with new walls a cell. Without walls, the
-/// triangles from the rims of the groups to a new point within.
+/// triangles from the rims of the groups to the first new point.
 struct CellCones {
     Label cell = -1;
-    Vec3 centre;              // [m] the new point
+    std::vector<Vec3> points; // [m] new, within
     std::vector<int> groupOf; // beside the cell's faces (topology.h): 0 ...
     int groupCount = 0;
     std::vector<CellWall> walls = {};

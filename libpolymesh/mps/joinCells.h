@@ -11,8 +11,8 @@
 namespace polymesh {
 
 /// The mesh with cells made one: the faces between the two of each pair go. The cell has the place
-/// of the first in order, the cells behind the other move up. No cell is in two pairs; every point
-/// of the faces that go is a point of other faces. Cost: linear.
+/// of the first in order, the cells behind the other move up. More than two become one when the
+/// first of them is in a pair with each other one. Cost: linear.
 PolyMesh withJoinedCells(PolyMesh mesh, std::span<const std::pair<Label, Label>> pairs);
 
 } // namespace polymesh

@@ -8,14 +8,17 @@
 #include "libpolymesh/mps/keepVolume.h"
 #include "libpolymesh/mps/loopCuts.h"
 #include "libpolymesh/mps/meshRegion.h"
+#include "libpolymesh/mps/rejoinFaces.h"
 #include "libpolymesh/mps/remedies.h"
+#include "libpolymesh/mps/restoreCells.h"
 #include "libpolymesh/mps/splitFaces.h"
 #include "libpolymesh/mps/untangle.h"
 
 #include <algorithm>
 #include <functional>
 #include <iterator>
-#include <numeric>
+#include <limits>
+#include <set>
 #include <utility>
 
 namespace polymesh {
@@ -57,7 +60,9 @@ void planAgain(Work& work) {
 void split(Work& work, std::span<const FacePieces> pieces) {
     const Label internal = work.mesh().internalFaceCount();
     std::vector<Label>& from = work.edited.boundaryFrom;
+    std::vector<Label>& origin = work.edited.boundaryOrigin;
     std::vector<Label> newFrom;
+    std::vector<Label> newOrigin;
     auto next = pieces.begin();
     while (next != pieces.end() && next->face < internal)
         ++next;
@@ -65,8 +70,10 @@ void split(Work& work, std::span<const FacePieces> pieces) {
         std::size_t count = 1;
         if (next != pieces.end() && next->face == internal + i) count = (next++)->pieces.size();
         newFrom.insert(newFrom.end(), count, from[index(i)]);
+        newOrigin.insert(newOrigin.end(), count, origin[index(i)]);
     }
     from = std::move(newFrom);
+    origin = std::move(newOrigin);
     work.counts.splitFaces += toLabel(pieces.size());
     work.edited.mesh = withPieces(std::move(work.edited.mesh), pieces);
 }
@@ -80,7 +87,6 @@ Label cut(Work& work, const Rows<Label>& cellFaces, std::span<const CellCones> p
         const Label origin = from[index(c.cell)];
         from.insert(from.end(), index(c.groupCount - 1), origin);
     }
-    work.counts.newCells += work.mesh().cellCount - before;
     return work.mesh().cellCount - before;
 }
 
@@ -101,7 +107,6 @@ void addCounts(const DivisibleCounts& part, DivisibleCounts& counts) {
     counts.conedCells += part.conedCells;
     counts.cutCells += part.cutCells;
     counts.joinedCells += part.joinedCells;
-    counts.newCells += part.newCells;
 }
 
 /// Takes a step on the mesh round the cells that are left. Nothing outside changes, so that the
@@ -121,13 +126,24 @@ void inRegion(Work& work, Step&& step) {
     std::ranges::sort(work.plan.inverted);
 }
 
-/// Splits faces of cells that are stars, which others would only suffer from.
-void splitFaces(Work& work, const FaceSplitRule& rule) {
+/// Splits faces of cells that are stars, which others would only suffer from. Returns the cells to
+/// help that have such faces.
+std::vector<Label> splitFaces(Work& work, const FaceSplitRule& rule) {
     const auto cells = starCells(work.mesh(), work.plan, cellsToHelp(work));
     const auto pieces = piecesOfFaces(work.mesh(), work.edited.bends, work.plan, cells, rule);
-    if (pieces.empty()) return;
+    if (pieces.empty()) return {};
+    std::vector<Label> touched;
+    for (const FacePieces& p : pieces) {
+        touched.push_back(work.mesh().owner[index(p.face)]);
+        if (work.mesh().isInternal(p.face)) touched.push_back(work.mesh().neighbour[index(p.face)]);
+    }
+    std::ranges::sort(touched);
+    touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
     split(work, pieces);
     work.plan = planSubdivision(work.mesh(), work.edited.bends);
+    std::vector<Label> toHelp;
+    std::ranges::set_intersection(cellsToHelp(work), touched, std::back_inserter(toHelp));
+    return toHelp;
 }
 
 /// Splits concave faces so that cells can be cut along the diagonals: until they are, no moving of
@@ -139,9 +155,9 @@ void splitByDiagonals(Work& work) {
     work.plan = planSubdivision(work.mesh(), work.edited.bends);
 }
 
-/// Cuts cells along loops of their own edges.
-void cutAlongLoops(Work& work) {
-    const auto cuts = loopCutsOf(work.mesh(), work.edited.bends, work.plan, cellsToHelp(work));
+/// Cuts cells along loops of their own edges; of `cells` (ascending) only.
+void cutAlongLoops(Work& work, std::span<const Label> cells) {
+    const auto cuts = loopCutsOf(work.mesh(), work.edited.bends, work.plan, cells);
     if (cuts.empty()) return;
     work.counts.cutCells += cut(work, work.plan.cellFaces, cuts);
     planAgain(work);
@@ -221,8 +237,7 @@ bool straightenEdges(Work& work) {
 void splitAndCut(Work& work) {
     constexpr double bent = 0;
     for (const auto& rule : {FaceSplitRule{bent, false}, {straight, false}, {straight, true}}) {
-        splitFaces(work, rule);
-        cutAlongLoops(work);
+        cutAlongLoops(work, splitFaces(work, rule));
     }
 }
 
@@ -238,7 +253,7 @@ void helpLocally(Work& work) {
 /// Cuts cells along loops through their reflex edges.
 void cutWhereConcave(Work& work) {
     splitByDiagonals(work);
-    cutAlongLoops(work);
+    cutAlongLoops(work, cellsToHelp(work));
 }
 
 /// Again, where bends were in the way.
@@ -248,20 +263,9 @@ void straightenAndCut(Work& work) {
         cutWhereConcave(work);
 }
 
-/// Joins cells that no cut could help with neighbours, while these are still whole.
-void joinHopeless(Work& work, const KeptZones& zones) {
-    constexpr int rounds = 3;
-    for (int round = 0; round < rounds; ++round) {
-        const Remedies remedies = remediesOf(work.mesh(), work.plan, cellsToHelp(work), zones);
-        if (remedies.joined.empty()) return;
-        join(work, remedies.joined);
-        planAgain(work);
-    }
-}
-
 /// Takes the next step of the last resort; false when there is none.
-bool useRemedies(Work& work, const KeptZones& zones) {
-    const Remedies remedies = remediesOf(work.mesh(), work.plan, cellsToHelp(work), zones);
+bool useRemedies(Work& work, const RemedyMeans& means) {
+    const Remedies remedies = remediesOf(work.mesh(), work.plan, cellsToHelp(work), means);
     if (remedies.empty()) return false;
     std::vector<Vec3>& points = work.edited.mesh.points;
     points.insert(points.end(), remedies.points.begin(), remedies.points.end());
@@ -273,14 +277,38 @@ bool useRemedies(Work& work, const KeptZones& zones) {
     return true;
 }
 
+/// Joins the pieces of faces again, and straightens edges, where cells have faces that cross each
+/// other as triangles: they have been split as if edges were straight.
+void splitAnew(Work& work) {
+    const auto cells = crossedCells(work.mesh(), work.plan, cellsToHelp(work));
+    if (rejoinFaces(work.edited, work.plan, cells) > 0)
+        work.plan = planSubdivision(work.mesh(), work.edited.bends);
+}
+
+/// Counts rounds without fewer cells left than ever before.
+class Patience {
+public:
+    explicit Patience(int rounds) : rounds_(rounds) {}
+
+    bool isOver(std::size_t left) {
+        idle_ = left < fewest_ ? 0 : idle_ + 1;
+        fewest_ = std::min(fewest_, left);
+        return left == 0 || idle_ > rounds_;
+    }
+
+private:
+    int rounds_;
+    int idle_ = 0;
+    std::size_t fewest_ = std::numeric_limits<std::size_t>::max();
+};
+
 /// Whatever it takes: cells that are left become tetrahedra, step by step, and neighbours that
 /// suffer from it cones.
-void becomeTetrahedra(Work& work, const KeptZones& zones) {
-    constexpr int rounds = 16;
-    for (int round = 0; round < rounds && !work.plan.inverted.empty(); ++round) {
-        if (round > 0) helpLocally(work);
+void becomeTetrahedra(Work& work, const RemedyMeans& means) {
+    splitAnew(work);
+    for (Patience patience(2); !patience.isOver(work.plan.inverted.size()); helpLocally(work)) {
         straightenEdges(work);
-        if (!useRemedies(work, zones)) break;
+        if (!useRemedies(work, means)) break;
     }
 }
 
@@ -288,84 +316,82 @@ void becomeTetrahedra(Work& work, const KeptZones& zones) {
 /// for one cell may be bad for its neighbours, which have their turn then.
 template<class Step>
 void inRegions(Work& work, Step&& step) {
-    constexpr int rounds = 20;
-    constexpr int patience = 3; // rounds without fewer cells left
-    std::size_t fewest = work.plan.inverted.size();
-    for (int round = 0, idle = 0; round < rounds && idle < patience; ++round, ++idle) {
+    for (Patience patience(2); !patience.isOver(work.plan.inverted.size());) {
         if (cellsToHelp(work).empty()) break;
         const std::vector<Label> before = work.plan.inverted;
         inRegion(work, step);
         if (std::ranges::includes(work.plan.inverted, before)) break;
-        if (work.plan.inverted.size() < fewest) idle = 0;
-        fewest = std::min(fewest, work.plan.inverted.size());
     }
 }
 
-/// All that helps, the gentlest first; the regions shrink with the number of cells left.
-void help(Work& work, const KeptZones& zones) {
+/// What keeps cells in few parts.
+void helpGently(Work& work) {
     cutWhereConcave(work);
-    inRegions(work, [&](Work& rest) {
+    if (work.plan.inverted.empty()) return;
+    inRegion(work, [&](Work& rest) {
         straightenAndCut(rest);
-        joinHopeless(rest, zones);
         splitAndCut(rest);
         makeCones(rest);
-        inRegions(rest, [&](Work& last) {
-            helpLocally(last);
-            becomeTetrahedra(last, zones);
-        });
+        helpLocally(rest);
     });
 }
 
-/// Does all that helps. `mesh` has the boundary faces of the undivided mesh.
-Work prepared(PolyMesh mesh, const KeptZones& zones) {
-    constexpr int rounds = 2;
+/// Makes cells that nothing could help, and those beside them, whole again, as what was done to one
+/// may be what the other suffers from; with `joins` each of them one with a neighbour.
+void restore(Work& work, const RemedyMeans& means, bool joins) {
+    std::set<Label> origins;
+    for (const Label cell : work.plan.inverted)
+        origins.insert(work.edited.cellFrom[index(cell)]);
+    const Label joined = work.counts.joinedCells;
+    join(work, piecesRound(work.edited, work.plan.cellFaces, work.plan.inverted));
+    work.counts.joinedCells = joined; // only made whole
+    work.plan = planSubdivision(work.mesh(), work.edited.bends);
+    rejoinFaces(work.edited, work.plan, work.plan.inverted);
+    planAgain(work);
+    if (!joins) return;
+    std::vector<Label> cells;
+    for (Label cell = 0; cell < work.mesh().cellCount; ++cell)
+        if (origins.contains(work.edited.cellFrom[index(cell)])) cells.push_back(cell);
+    join(work, partnersOf(work.mesh(), work.plan, cells, means.zones));
+    planAgain(work);
+}
+
+/// Helps the cells that are left for good or ill.
+void helpWithTetrahedra(Work& work, const RemedyMeans& means) {
+    inRegions(work, [&](Work& part) { becomeTetrahedra(part, means); });
+    dropUnusedPoints(work.edited);
+    planAgain(work);
+}
+
+/// `mesh` has the boundary faces of the undivided mesh.
+Work workOn(PolyMesh mesh) {
     Work work;
-    work.edited.boundaryFrom.resize(index(mesh.faceCount() - mesh.internalFaceCount()));
-    std::iota(work.edited.boundaryFrom.begin(), work.edited.boundaryFrom.end(), 0);
-    work.edited.cellFrom.resize(index(mesh.cellCount));
-    std::iota(work.edited.cellFrom.begin(), work.edited.cellFrom.end(), 0);
-    work.edited.mesh = std::move(mesh);
+    work.edited = unedited(std::move(mesh));
     work.edited.bends = takeBends(work.edited.mesh);
     work.plan = planSubdivision(work.mesh(), work.edited.bends);
     work.counts.firstInverted = toLabel(work.plan.inverted.size());
     work.counts.movedPoints = untangle(work.mesh(), work.plan);
-    for (int round = 0; round < rounds && !work.plan.inverted.empty(); ++round) {
-        inRegions(work, [&](Work& part) { help(part, zones); });
-        planAgain(work);
-    }
     return work;
-}
-
-/// Joins cells of the undivided mesh that nothing could help with neighbours that are still whole.
-/// Returns how many.
-Label joinOrigins(const Work& work, PolyMesh& mesh, const KeptZones& zones) {
-    std::vector<Label> origins;
-    for (const Label cell : work.plan.inverted)
-        origins.push_back(work.edited.cellFrom[index(cell)]);
-    std::ranges::sort(origins);
-    origins.erase(std::unique(origins.begin(), origins.end()), origins.end());
-    const auto pairs = partnersOf(mesh, planSubdivision(mesh), origins, zones);
-    mesh = withJoinedCells(std::move(mesh), pairs);
-    return toLabel(pairs.size());
 }
 
 } // namespace
 
-Divisible makeDivisible(PolyMesh mesh, const KeptZones& zones) {
-    constexpr int rounds = 3;
+Divisible makeDivisible(PolyMesh mesh, const RemedyMeans& means) {
+    constexpr int restorings = 3;
     const std::vector<FaceGeometry> boundary = boundaryGeometry(mesh);
-    Work work = prepared(mesh, zones);
-    const Label firstInverted = work.counts.firstInverted;
-    Label joined = 0;
-    for (int round = 0; round < rounds && !work.plan.inverted.empty(); ++round) {
-        const Label more = joinOrigins(work, mesh, zones);
-        if (more == 0) break;
-        joined += more;
-        Work again = prepared(mesh, zones);
-        again.counts.joinedCells += joined;
-        if (again.plan.inverted.size() < work.plan.inverted.size()) work = std::move(again);
+    const Label cells = mesh.cellCount;
+    Work work = workOn(std::move(mesh));
+    if (!work.plan.inverted.empty()) {
+        inRegion(work, helpGently);
+        helpWithTetrahedra(work, means);
     }
-    work.counts.firstInverted = firstInverted;
+    for (int i = 0; i < restorings && !work.plan.inverted.empty(); ++i) {
+        Work again = work;
+        restore(again, means, i > 0);
+        helpWithTetrahedra(again, means);
+        if (again.plan.inverted.size() <= work.plan.inverted.size()) work = std::move(again);
+    }
+    work.counts.newCells = work.mesh().cellCount - cells;
     keepVolume(work.mesh(), work.edited.boundaryFrom, boundary, work.plan);
     return {std::move(work.edited.mesh),
             std::move(work.plan),

@@ -35,6 +35,6 @@ struct Divisible {
 /// face that had to be split. The points of warped boundary faces are such that the volume stays.
 /// Cost: twice planSubdivision, and about 1 ms and core for each cell in need: only they and their
 /// neighbours are looked at in between (meshRegion.h). The same for any number of threads.
-Divisible makeDivisible(PolyMesh mesh, const KeptZones& zones = {});
+Divisible makeDivisible(PolyMesh mesh, const RemedyMeans& means = {});
 
 } // namespace polymesh

@@ -127,6 +127,8 @@ private:
                 faceNumber_[index(face)] = part().faceCount();
                 addFace(face, mesh_.owner[index(face)], false);
                 region_.part.boundaryFrom.push_back(face);
+                region_.part.boundaryOrigin.push_back(
+                    whole_.boundaryOrigin[index(face - mesh_.internalFaceCount())]);
             }
             own.size = part().faceCount() - own.start;
             part().patches.push_back(own);
@@ -144,6 +146,7 @@ private:
             if (hasCell(owner) == hasCell(neighbour)) continue;
             addFace(face, hasCell(owner) ? owner : neighbour, !hasCell(owner));
             region_.part.boundaryFrom.push_back(face);
+            region_.part.boundaryOrigin.push_back(-1);
             ++rim.size;
         }
         region_.part.rimFaces += rim.size;
@@ -347,9 +350,11 @@ private:
             if (f.isTurned) std::ranges::reverse(loop);
             mesh.faces.add(loop);
             mesh.owner.push_back(f.owner);
-            if (f.neighbour < 0)
-                joined_.boundaryFrom.push_back(
-                    whole_.boundaryFrom[index(f.wholeFace - mesh_.internalFaceCount())]);
+            if (f.neighbour < 0) {
+                const std::size_t place = index(f.wholeFace - mesh_.internalFaceCount());
+                joined_.boundaryFrom.push_back(whole_.boundaryFrom[place]);
+                joined_.boundaryOrigin.push_back(whole_.boundaryOrigin[place]);
+            }
             if (f.wholeFace >= 0) {
                 const bool wasOwner = f.partFace < 0 || isInPart(mesh_.owner[index(f.wholeFace)]);
                 wholePlaces_.push_back({f.wholeFace, toLabel(i), wasOwner == f.isTurned});
@@ -438,6 +443,17 @@ private:
 };
 
 } // namespace
+
+EditedMesh unedited(PolyMesh mesh) {
+    EditedMesh edited;
+    edited.boundaryFrom.resize(index(mesh.faceCount() - mesh.internalFaceCount()));
+    std::iota(edited.boundaryFrom.begin(), edited.boundaryFrom.end(), 0);
+    edited.boundaryOrigin = edited.boundaryFrom;
+    edited.cellFrom.resize(index(mesh.cellCount));
+    std::iota(edited.cellFrom.begin(), edited.cellFrom.end(), 0);
+    edited.mesh = std::move(mesh);
+    return edited;
+}
 
 MeshRegion regionRound(const EditedMesh& whole, std::span<const Label> cells) {
     return RegionCutter(whole, cells).cut();

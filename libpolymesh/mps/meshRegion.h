@@ -14,11 +14,15 @@ namespace polymesh {
 struct EditedMesh {
     PolyMesh mesh;
     Bends bends;
-    std::vector<Label> cellFrom;     // beside the cells: cell of another mesh; the first of those
-                                     // from one cell has its place
-    std::vector<Label> boundaryFrom; // beside the boundary faces: face of another mesh
+    std::vector<Label> cellFrom;       // beside the cells: cell of another mesh; the first of those
+                                       // from one cell has its place
+    std::vector<Label> boundaryFrom;   // beside the boundary faces: face of another mesh
+    std::vector<Label> boundaryOrigin; // likewise: face of the mesh before all; -1 at the rim
     Label rimFaces = 0; // so many of the last boundary faces have cells of the other mesh behind
 };
+
+/// A mesh that nothing has been done to yet.
+EditedMesh unedited(PolyMesh mesh);
 
 /// The part of a mesh round some cells, a mesh of its own: with the patches and zones of the whole,
 /// and the faces to the rest of it in a last patch.

@@ -26,4 +26,17 @@ std::vector<CellCones> searchCells(std::span<const Label> cells, Find&& find) {
     return result;
 }
 
+/// Those of the cells for which is(cell) is true, in their order; in parallel.
+template<class Is>
+std::vector<Label> chosen(std::span<const Label> cells, Is&& is) {
+    std::vector<char> isIn(cells.size(), 0);
+    parallelBlocks(toLabel(cells.size()), 1, [&](Label, Label i, Label) {
+        isIn[index(i)] = is(cells[index(i)]) ? 1 : 0;
+    });
+    std::vector<Label> found;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+        if (isIn[i] != 0) found.push_back(cells[i]);
+    return found;
+}
+
 } // namespace polymesh

@@ -3,6 +3,7 @@
 #include "libpolymesh/mps/untangle.h"
 
 #include "libpolymesh/mps/pointWithin.h"
+#include "libpolymesh/mps/searchCells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +40,6 @@ public:
 
     /// Tries the points of the inverted corners of a cell; true when the cell is right then.
     bool cure(Label cell) {
-        if (!isCurable(cell)) return false;
         for (const Label point : suspects(cell)) {
             if (isFixed_[index(point)] != 0 || !move(point, cell)) continue;
             ++moved_;
@@ -50,25 +50,29 @@ public:
 
     Label moved() const { return moved_; }
 
+    /// Whether moving points could help: a node of valence 2 has two corners of opposite sense, a
+    /// corner of fixed points stays what it is, and cells with many bad corners are concave.
+    bool isCurable(Label cell) const {
+        constexpr std::ptrdiff_t many = 8;
+        CellCorners corners;
+        corners.load(divided_, cell);
+        std::vector<PartCorner> list;
+        addPartCorners(plan_.parts(corners, cell), list);
+        if (std::ranges::count_if(list, [&](const PartCorner& c) { return isBad(c); }) > many)
+            return false;
+        const auto isFixed = [&](Label p) { return isFixed_[index(p)] != 0; };
+        return std::ranges::none_of(corners.nodes(),
+                                    [](const auto& n) { return n.valence == 2; }) &&
+               std::ranges::none_of(list, [&](const PartCorner& c) {
+                   return isBad(c) && std::ranges::all_of(c, isFixed);
+               });
+    }
+
 private:
     const Vec3& at(Label point) const { return plan_.points[index(point)]; }
 
     bool isBad(const PartCorner& c) const {
         return isInverted(at(c[1]) - at(c[0]), at(c[2]) - at(c[0]), at(c[3]) - at(c[0]));
-    }
-
-    /// Whether moving points could help: a node of valence 2 has two corners of opposite sense, a
-    /// corner of fixed points stays what it is, and cells with many bad corners are concave.
-    bool isCurable(Label cell) {
-        constexpr std::ptrdiff_t many = 8;
-        load(cell);
-        if (std::ranges::count_if(corners_, [&](const PartCorner& c) { return isBad(c); }) > many)
-            return false;
-        const auto isFixed = [&](Label p) { return isFixed_[index(p)] != 0; };
-        return std::ranges::none_of(cell_.nodes(), [](const auto& n) { return n.valence == 2; }) &&
-               std::ranges::none_of(corners_, [&](const PartCorner& c) {
-                   return isBad(c) && std::ranges::all_of(c, isFixed);
-               });
     }
 
     /// Points of the inverted corners of a cell: those of the cell itself first, its nodes last.
@@ -153,12 +157,18 @@ Label untangle(const PolyMesh& mesh, SubdivisionPlan& plan) {
     if (plan.inverted.empty()) return 0;
     constexpr int sweeps = 2;
     Untangler untangler(mesh, plan);
-    for (int sweep = 0; sweep < sweeps && !plan.inverted.empty(); ++sweep) {
-        const std::size_t before = plan.inverted.size();
+    const auto curable =
+        chosen(plan.inverted, [&](Label cell) { return untangler.isCurable(cell); });
+    std::vector<Label> left = curable;
+    for (int sweep = 0; sweep < sweeps && !left.empty(); ++sweep) {
+        const std::size_t before = left.size();
         const Label moved = untangler.moved();
-        std::erase_if(plan.inverted, [&](Label cell) { return untangler.cure(cell); });
-        if (plan.inverted.size() == before && untangler.moved() == moved) break;
+        std::erase_if(left, [&](Label cell) { return untangler.cure(cell); });
+        if (left.size() == before && untangler.moved() == moved) break;
     }
+    std::erase_if(plan.inverted, [&](Label cell) {
+        return std::ranges::binary_search(curable, cell) && !std::ranges::binary_search(left, cell);
+    });
     return untangler.moved();
 }
 

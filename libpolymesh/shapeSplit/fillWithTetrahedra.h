@@ -4,18 +4,11 @@
 
 #include "libpolymesh/quality/meshEditor.h"
 #include "libpolymesh/surface/tetMesh.h"
-#include "libpolymesh/surface/triSurface.h"
 
-#include <functional>
-#include <optional>
 #include <span>
 #include <vector>
 
 namespace polymesh {
-
-/// Fills a closed surface with tetrahedra that leave its triangles as they are, where it can; what
-/// it makes is checked. An empty function finds none.
-using Tetrahedraliser = std::function<std::optional<TetMesh>(const TriSurface&)>;
 
 /// What came of filling a cell.
 struct Filled {

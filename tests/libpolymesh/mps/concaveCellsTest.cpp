@@ -27,7 +27,7 @@ void dividesWell(const PolyMesh& mesh) {
         ASSERT_TRUE(oracle[0]);
         EXPECT_NEAR(*oracle[0], volume, 1e-12 * volume);
     }
-    Divisible work = makeDivisible(mesh);
+    Divisible work = makeDivisible(mesh, {{}, tetgenTetrahedraliser()});
     EXPECT_TRUE(work.plan.inverted.empty());
     const PolyMesh result = divide(work.mesh, std::move(work.plan));
     EXPECT_TRUE(validate(result).empty());

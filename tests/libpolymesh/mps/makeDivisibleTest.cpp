@@ -127,7 +127,7 @@ TEST(Cones, cellBecomesConesAndZonesGoOn) {
     PolyMesh mesh = test::twoHexes();
     mesh.cellZones.push_back({"first", {0}, {}});
     mesh.faceZones.push_back({"middle", {0}, {false}});
-    const CellCones cones{0, {0.5, 0.5, 0.5}, {0, 1, 2, 3, 4, 5}, 6};
+    const CellCones cones{0, {{0.5, 0.5, 0.5}}, {0, 1, 2, 3, 4, 5}, 6};
     const PolyMesh coned = withCones(mesh, cellFaces(mesh), std::vector{cones});
     EXPECT_TRUE(validate(coned).empty());
     EXPECT_EQ(coned.cellCount, 7);

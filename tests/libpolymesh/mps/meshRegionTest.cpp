@@ -17,16 +17,6 @@ namespace polymesh {
 
 namespace {
 
-EditedMesh edited(PolyMesh mesh) {
-    EditedMesh whole;
-    whole.cellFrom.resize(index(mesh.cellCount));
-    std::iota(whole.cellFrom.begin(), whole.cellFrom.end(), 0);
-    whole.boundaryFrom.resize(index(mesh.faceCount() - mesh.internalFaceCount()));
-    std::iota(whole.boundaryFrom.begin(), whole.boundaryFrom.end(), 0);
-    whole.mesh = std::move(mesh);
-    return whole;
-}
-
 /// A row of boxes with a zone of every second cell and one of all internal faces.
 PolyMesh row(Label n) {
     PolyMesh mesh = test::box(n, 1, 1);
@@ -46,7 +36,7 @@ PolyMesh row(Label n) {
 } // namespace
 
 TEST(MeshRegion, hasTwoRingsAndARim) {
-    const MeshRegion region = regionRound(edited(row(9)), std::vector<Label>{4});
+    const MeshRegion region = regionRound(unedited(row(9)), std::vector<Label>{4});
     EXPECT_EQ(region.part.cellFrom, (std::vector<Label>{2, 3, 4, 5, 6}));
     EXPECT_EQ(region.part.rimFaces, 2);
     EXPECT_TRUE(validate(region.part.mesh).empty());
@@ -55,7 +45,7 @@ TEST(MeshRegion, hasTwoRingsAndARim) {
 }
 
 TEST(MeshRegion, goesBackAsItWas) {
-    const EditedMesh whole = edited(row(9));
+    const EditedMesh whole = unedited(row(9));
     const MeshRegion region = regionRound(whole, std::vector<Label>{1, 7});
     const EditedMesh back = withRegion(whole, region, region.part).whole;
     EXPECT_EQ(back.mesh, whole.mesh);
@@ -64,7 +54,7 @@ TEST(MeshRegion, goesBackAsItWas) {
 }
 
 TEST(MeshRegion, regionOfARegionGoesBackThroughBoth) {
-    const EditedMesh whole = edited(row(9));
+    const EditedMesh whole = unedited(row(9));
     const MeshRegion outer = regionRound(whole, std::vector<Label>{4});
     const MeshRegion inner = regionRound(outer.part, std::vector<Label>{0});
     EXPECT_EQ(inner.part.rimFaces, 2); // one of either rim
@@ -74,10 +64,10 @@ TEST(MeshRegion, regionOfARegionGoesBackThroughBoth) {
 }
 
 TEST(MeshRegion, newCellsComeLastAndZonesFollow) {
-    const EditedMesh whole = edited(row(9));
+    const EditedMesh whole = unedited(row(9));
     const MeshRegion region = regionRound(whole, std::vector<Label>{4});
     EditedMesh part = region.part;
-    const CellCones cones{2, {0.5, 0.5, 0.5}, {0, 1, 2, 3, 4, 5}, 6};
+    const CellCones cones{2, {{0.5, 0.5, 0.5}}, {0, 1, 2, 3, 4, 5}, 6};
     part.mesh = withCones(part.mesh, cellFaces(part.mesh), std::vector{cones});
     part.cellFrom.resize(index(part.mesh.cellCount), part.cellFrom[2]);
     const auto [back, cells] = withRegion(whole, region, part);
@@ -92,7 +82,7 @@ TEST(MeshRegion, newCellsComeLastAndZonesFollow) {
 }
 
 TEST(MeshRegion, cellsMoveUpWhereOneIsJoined) {
-    const EditedMesh whole = edited(row(9));
+    const EditedMesh whole = unedited(row(9));
     const MeshRegion region = regionRound(whole, std::vector<Label>{4});
     EditedMesh part = region.part;
     part.mesh = withJoinedCells(part.mesh, std::vector{std::pair<Label, Label>{2, 3}});

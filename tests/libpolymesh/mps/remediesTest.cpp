@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/mps/remedies.h"
 
-#include "libpolymesh/mesh/topology.h"
 #include "libpolymesh/mps/chords.h"
 #include "libpolymesh/mps/joinCells.h"
 #include "libpolymesh/mps/makeDivisible.h"
-#include "libpolymesh/mps/starPieces.h"
+#include "libpolymesh/mps/triangulate.h"
+#include "libpolymesh/reference/tetgen.h"
 #include "tests/libpolymesh/mps/divided.h"
 #include "tests/support/meshes.h"
 
@@ -28,42 +28,6 @@ double areaOf(const std::vector<Vec3>& points, const std::vector<Triangle>& tria
         sum += 0.5 * cross(points[index(t[1])] - points[index(t[0])],
                            points[index(t[2])] - points[index(t[0])])
                          .z;
-    return sum;
-}
-
-/// The triangles of a cell, seen from outside, and its volume.
-std::vector<Triangle> trianglesOf(const PolyMesh& mesh, Label cell) {
-    std::vector<Triangle> triangles;
-    const Rows<Label> faces = cellFaces(mesh);
-    for (const Label face : faces[cell])
-        for (Triangle t : triangulate(mesh.points, mesh.faces[face], always)) {
-            if (mesh.owner[index(face)] != cell) std::swap(t[1], t[2]);
-            triangles.push_back(t);
-        }
-    return triangles;
-}
-
-double volumeOver(const std::vector<Vec3>& points, const Triangle& t, const Vec3& apex) {
-    const Vec3 a = points[index(t[0])] - apex;
-    return dot(a, cross(points[index(t[1])] - apex, points[index(t[2])] - apex)) / 6;
-}
-
-/// The volume of the tetrahedra over the centres of all pieces; each must be above zero.
-double volumeOf(const std::vector<Vec3>& points,
-                const std::vector<Triangle>& triangles,
-                const StarPieces& pieces) {
-    double sum = 0;
-    const auto add = [&](const Triangle& t, int piece) {
-        const double own = volumeOver(points, t, pieces.centres[static_cast<std::size_t>(piece)]);
-        EXPECT_GT(own, 0);
-        sum += own;
-    };
-    for (std::size_t t = 0; t < triangles.size(); ++t)
-        add(triangles[t], pieces.pieceOf[t]);
-    for (const PieceWall& wall : pieces.walls) {
-        add(wall.triangle, wall.inside);
-        add({wall.triangle[0], wall.triangle[2], wall.triangle[1]}, wall.outside);
-    }
     return sum;
 }
 
@@ -187,26 +151,6 @@ TEST(Remedies, cellsOfDifferentZonesAreNoPartners) {
     EXPECT_EQ(partnersOf(mesh, plan, plan.inverted, {0, 0}).size(), 1U);
 }
 
-TEST(StarPieces, aConvexCellIsOnePiece) {
-    const PolyMesh cube = test::unitCube();
-    const auto triangles = trianglesOf(cube, 0);
-    const auto pieces = starPieces(cube.points, triangles, always);
-    ASSERT_TRUE(pieces);
-    EXPECT_EQ(pieces->centres.size(), 1U);
-    EXPECT_TRUE(pieces->walls.empty());
-    EXPECT_NEAR(volumeOf(cube.points, triangles, *pieces), 1, 1e-14);
-}
-
-TEST(StarPieces, aUIsCutAndKeepsItsVolume) {
-    const PolyMesh u = uShape();
-    const auto triangles = trianglesOf(u, 0);
-    EXPECT_FALSE(starPieces(u.points, triangles, always, 1));
-    const auto pieces = starPieces(u.points, triangles, always);
-    ASSERT_TRUE(pieces);
-    EXPECT_GT(pieces->centres.size(), 1U);
-    EXPECT_NEAR(volumeOf(u.points, triangles, *pieces), 4.5, 1e-13);
-}
-
 TEST(JoinCells, facesBetweenThemGoAndZonesFollow) {
     PolyMesh mesh = test::box(3, 1, 1);
     mesh.cellZones.push_back({"all", {0, 1, 2}, {}});
@@ -228,7 +172,8 @@ std::size_t remedied(PolyMesh& mesh) {
     SubdivisionPlan plan = planSubdivision(mesh);
     EXPECT_FALSE(plan.inverted.empty());
     for (int step = 0; step < steps && !plan.inverted.empty(); ++step) {
-        const Remedies remedies = remediesOf(mesh, plan, plan.inverted);
+        const Remedies remedies =
+            remediesOf(mesh, plan, plan.inverted, {{}, tetgenTetrahedraliser()});
         joined += remedies.joined.size();
         mesh = withRemedies(mesh, remedies);
         EXPECT_TRUE(validate(mesh).empty());
@@ -240,6 +185,7 @@ std::size_t remedied(PolyMesh& mesh) {
 }
 
 TEST(Remedies, aUEndsAsPartsThatAreAllRight) {
+    if (!hasTetgen()) GTEST_SKIP() << "built without TetGen";
     PolyMesh mesh = uShape();
     EXPECT_EQ(remedied(mesh), 0U);
     EXPECT_EQ(demandedCounts(mesh).pyramids, 0);

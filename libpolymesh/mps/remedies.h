@@ -36,10 +36,10 @@ struct Remedies {
 /// (1) where a point sees all triangles of the faces, these are split, by diagonals or, if that
 /// does not do, from their middles; (2) a cell with triangles only becomes tetrahedra over such a
 /// point, else those that `tetrahedralise` fills it with (triangleHull.h); (3) a cell whose
-/// triangles cross, or that is flat, is joined with a neighbour or two where that leaves less of it:
-/// flaps without thickness go, and tips that turn inside out. Steps of one call do not disturb each
-/// other. Cost: about 20 us a cell, some ms where it must be filled or joined; parallel but for the
-/// filling.
+/// triangles cross, or that is flat, is joined with a neighbour or two where that leaves less of
+/// it: flaps without thickness go, and tips that turn inside out. Steps of one call do not disturb
+/// each other. Cost: about 20 us a cell, some ms where it must be filled or joined; parallel but
+/// for the filling.
 Remedies remediesOf(const PolyMesh& mesh,
                     const SubdivisionPlan& plan,
                     std::span<const Label> cells,

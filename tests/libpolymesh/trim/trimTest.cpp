@@ -374,6 +374,18 @@ void expectTouchingIsClean(const PolyMesh& mesh, const Vec3& min, const Vec3& ma
     }
 }
 
+TEST(Trim, aBiteOutOfAnEdgeOfTheMeshIsOneFaceHoweverShallow) {
+    TrimOptions options = exact(Keep::outside);
+    options.deviation = 0.3;
+    for (const double offset : {0.15, 0.19, 0.2, 0.208}) {
+        const TriSurface ball = sphere(4, 0.3, {0.5 + offset, 0.5 + offset, 0.5});
+        const PolyMesh mesh = trim(box(2, 2, 1), ball, options).mesh;
+        ASSERT_EQ(mesh.cellCount, 4);
+        EXPECT_EQ(cellFaces(mesh).rowSize(0), 7)
+            << offset; // the cell's own six and one of the ball
+    }
+}
+
 TEST(Trim, whereAPartTouchesTheBoundaryOfTheMeshNothingFlatIsLeft) {
     for (int sides = 0; sides < 63; ++sides) {
         SCOPED_TRACE(sides);

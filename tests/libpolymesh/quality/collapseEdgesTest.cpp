@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace polymesh {
 
 namespace {
@@ -48,6 +50,34 @@ TEST(CollapseShortEdges, isOffAtZero) {
     EditMesh mesh = test::boxOfHexes({2, 2, 2}, 1.0);
     test::cutByPlane(mesh, {1, 1, 1}, 3.001, 6);
     EXPECT_EQ(collapseShortEdges(mesh, 0), 0);
+}
+
+TEST(MayCollapse, pointsMoveAlongWhatTheyAreOn) {
+    EditMesh mesh = test::boxOfHexes({3, 3, 3}, 1.0);
+    EditMesh sheet = test::boxOfHexes({3, 3, 1}, 1.0);
+    const auto may = [](EditMesh& body, const Vec3& from, const Vec3& to) {
+        const auto at = [&](const Vec3& p) {
+            return toLabel(
+                static_cast<std::size_t>(std::ranges::find(body.points, p) - body.points.begin()));
+        };
+        MeshEditor editor(body);
+        return mayCollapse(editor, at(from), at(to));
+    };
+    const Vec3 inside{1, 1, 1};
+    const Vec3 onSide{1, 1, 0};
+    const Vec3 onEdge{1, 0, 0};
+    const Vec3 corner{0, 0, 0};
+    EXPECT_TRUE(may(mesh, inside, {2, 1, 1}));
+    EXPECT_TRUE(may(mesh, inside, onSide));
+    EXPECT_TRUE(may(mesh, onSide, {2, 1, 0}));
+    EXPECT_TRUE(may(mesh, onSide, onEdge));
+    EXPECT_TRUE(may(mesh, onEdge, {2, 0, 0}));
+    EXPECT_TRUE(may(mesh, onEdge, corner));
+    EXPECT_FALSE(may(mesh, onSide, inside)) << "off the surface";
+    EXPECT_FALSE(may(mesh, onEdge, onSide)) << "off the feature edge";
+    EXPECT_FALSE(may(mesh, corner, onEdge)) << "a corner";
+    EXPECT_FALSE(may(sheet, onSide, {1, 1, 1})) << "through the body";
+    EXPECT_FALSE(may(sheet, onEdge, {1, 0, 1})) << "across a side";
 }
 
 TEST(CollapseShortEdges, neverMovesAFixedPoint) {

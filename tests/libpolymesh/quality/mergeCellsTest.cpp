@@ -66,6 +66,16 @@ TEST(MergeCells, refusesARing) {
     EXPECT_FALSE(mergeCells(editor, 3, 0));
 }
 
+TEST(MergeSmallCells, makesNoCellOfMoreThanTwoAndAHalf) {
+    EditMesh mesh = test::boxOfHexes({7, 1, 1}, 1.0);
+    EXPECT_EQ(mergeSmallCells(mesh, 10), 3); // two by two
+    MeshEditor editor(mesh);
+    for (Label c = 0; c < editor.cellCount(); ++c)
+        if (!editor.cell(c).isRemoved()) {
+            EXPECT_LT(editor.cellGeometry(c).volume, 2.5);
+        }
+}
+
 TEST(MergeSmallCells, takesSliversAndKeepsVolume) {
     for (const double distance : {2.02, 3.05, 4.01, 2.5}) {
         EditMesh mesh = test::boxOfHexes({4, 4, 4}, 1.0);

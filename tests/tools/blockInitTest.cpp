@@ -4,6 +4,7 @@
 #include "libpolymesh/initial/cartesian.h"
 #include "tests/tools/program.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -113,14 +114,17 @@ TEST(BlockInit, reportsInJson) {
 
 TEST(BlockInit, writesTheSameBytesWithAnyNumberOfThreads) {
     const TemporaryCase box;
-    const std::string command = "blockInit -box '0 0 0 1 1 1' -cells '(50 60 70)' -threads ";
+    const auto sumOfFiles = [&](const char* format, int threads) {
+        return box.run(fmt::format("blockInit -box '0 0 0 1 1 1' -cells '(50 60 70)' -quiet "
+                                   "-format {} -threads {} && cat constant/polyMesh/* | cksum",
+                                   format,
+                                   threads));
+    };
     for (const char* format : {"binary", "ascii"}) {
-        const std::string sum =
-            std::string(" -quiet -format ") + format + " && cat constant/polyMesh/* | cksum";
-        const ProgramResult one = box.run(command + "1" + sum);
+        const ProgramResult one = sumOfFiles(format, 1);
         EXPECT_EQ(one.status, 0) << one.err;
-        EXPECT_EQ(one.out, box.run(command + "2" + sum).out);
-        EXPECT_EQ(one.out, box.run(command + "8" + sum).out);
+        EXPECT_EQ(one.out, sumOfFiles(format, 2).out);
+        EXPECT_EQ(one.out, sumOfFiles(format, 8).out);
     }
 }
 

@@ -239,26 +239,29 @@ bool hasOnlySides(const PolyMesh& mesh,
     });
 }
 
-/// The corners of each cell. Throws InputError for a cell that is no hexahedron, not even one with
-/// collapsed edges.
-std::vector<std::array<Label, 8>> cornersOfCells(const BlockMap& map, const PolyMesh& mesh) {
-    auto corners = freshList<std::array<Label, 8>>(index(mesh.cellCount));
-    std::vector<char> isFound(index(mesh.cellCount), 0);
+/// Finds the corners of each cell. Throws InputError for a cell that is no hexahedron, not even one
+/// with collapsed edges.
+void findCorners(const BlockMap& map, const PolyMesh& mesh, HexCells& cells) {
+    cells.corners = freshList<std::array<Label, 8>>(index(mesh.cellCount));
+
+    enum Found : char { nothing, collapsed, whole };
+
+    std::vector<Found> found(index(mesh.cellCount), nothing);
     const Rows<Label> faces = cellFaces(mesh);
     const Rows<Label> points = cellPoints(mesh, faces);
     const CornerFinder finder(map, mesh);
     parallelFor(mesh.cellCount, [&](Label cell) {
-        std::array<Label, 8>& found = corners[index(cell)];
-        found = finder.find(cell, points[cell]);
-        const std::size_t different = differentCorners(found);
+        std::array<Label, 8>& corners = cells.corners[index(cell)];
+        corners = finder.find(cell, points[cell]);
+        const std::size_t different = differentCorners(corners);
         const bool fits =
             different == points[cell].size() &&
-            (isWhole(mesh, faces[cell], different) || hasOnlySides(mesh, faces[cell], found));
-        isFound[index(cell)] = fits ? 1 : 0;
+            (isWhole(mesh, faces[cell], different) || hasOnlySides(mesh, faces[cell], corners));
+        if (fits) found[index(cell)] = different == cornerCount ? whole : collapsed;
     });
-    const auto missing = std::ranges::find(isFound, 0);
-    if (missing != isFound.end()) refuse(map, static_cast<Label>(missing - isFound.begin()));
-    return corners;
+    const auto missing = std::ranges::find(found, nothing);
+    if (missing != found.end()) refuse(map, static_cast<Label>(missing - found.begin()));
+    cells.hasCollapsed = std::ranges::find(found, collapsed) != found.end();
 }
 
 std::vector<HexBoundarySide> boundarySides(const PolyMesh& mesh, const HexCells& cells) {
@@ -314,10 +317,7 @@ HexCells hexCells(const BlockMeshDescription& description, const PolyMesh& mesh)
     cells.points = mesh.points;
     cells.patches = mesh.patches;
     cells.cellZones = mesh.cellZones;
-    cells.corners = cornersOfCells(*map, mesh);
-    cells.hasCollapsed = std::ranges::any_of(cells.corners, [](const std::array<Label, 8>& c) {
-        return differentCorners(c) < cornerCount;
-    });
+    findCorners(*map, mesh, cells);
     std::vector<char> isMoved(index(mesh.cellCount), 0);
     parallelFor(mesh.cellCount,
                 [&](Label cell) { isMoved[index(cell)] = differs(*map, cells, cell) ? 1 : 0; });

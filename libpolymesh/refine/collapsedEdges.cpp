@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 namespace polymesh {
 namespace {
@@ -106,9 +107,12 @@ std::optional<EdgePlace> CollapsedEdges::placeOn(const AxisEdge& edge, const Oct
 void CollapsedEdges::addAt(const EdgePlace& place,
                            int level,
                            std::vector<OctantKey>& octants) const {
-    const auto key = [](const AxisEdge& e) { return std::tuple(e.low, e.high); };
-    const auto edges = std::ranges::equal_range(edges_, std::tuple(place.low, place.high), {}, key);
-    for (const AxisEdge& edge : edges) {
+    const auto key = [](const AxisEdge& e) { return std::pair(e.low, e.high); };
+    const std::pair ends(place.low, place.high);
+    for (auto e = std::ranges::lower_bound(edges_, ends, {}, key);
+         e != edges_.end() && key(*e) == ends;
+         ++e) {
+        const AxisEdge& edge = *e;
         const std::size_t low = edge.corners[0];
         Octant octant{{}, level};
         for (const std::size_t direction : directions) {

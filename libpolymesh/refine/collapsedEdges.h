@@ -17,7 +17,7 @@ struct EdgePlace {
     Label high = -1;
     std::int32_t distance = 0;
 
-    auto operator<=>(const EdgePlace&) const = default;
+    auto operator<=>(const EdgePlace&) const = default; // NOLINT(modernize-use-nullptr)
 };
 
 /// Where edges of trees coincide because sides have collapsed, as at the axis of a wedge. The trees

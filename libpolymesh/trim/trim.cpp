@@ -9,6 +9,7 @@
 #include "libpolymesh/quality/editQuality.h"
 #include "libpolymesh/quality/meshEditor.h"
 #include "libpolymesh/quality/removeZeroSize.h"
+#include "libpolymesh/surface/boxTree.h"
 #include "libpolymesh/surface/features.h"
 #include "libpolymesh/surface/triangleBoxes.h"
 #include "libpolymesh/trim/adjustNodes.h"
@@ -284,9 +285,13 @@ bool addNodes(const AdjustedNodes& adjusted,
               const std::vector<Box>& boxes,
               std::vector<Label>& nodes) {
     const std::size_t before = nodes.size();
-    for (const MovedNode& node : adjusted.moved)
-        if (std::ranges::any_of(boxes, [&](const Box& box) { return box.contains(node.place); }))
-            nodes.push_back(node.node);
+    const BoxTree tree(boxes);
+    for (const MovedNode& node : adjusted.moved) {
+        bool isIn = false;
+        tree.forEachNear({node.place, node.place},
+                         [&](Label i) { isIn = isIn || boxes[index(i)].contains(node.place); });
+        if (isIn) nodes.push_back(node.node);
+    }
     std::ranges::sort(nodes);
     return nodes.size() > before;
 }

@@ -139,6 +139,7 @@ INSTANTIATE_TEST_SUITE_P(
         WrongText{"a #{ x;\n", "dict:1: this #{ has no matching #}"},
         WrongText{"a 1; /* b\n", "dict:1: this comment has no end; a */ is missing"},
         WrongText{"a $none;", "dict:1: $none: there is no such entry before this line"},
+        WrongText{"a 1;\nd { b $...a; }", "dict:2: $...a: there is no such entry before this line"},
         WrongText{"a 1; $a;", "dict:1: a is a value; expected a dictionary here"},
         WrongText{"a #calc \"f(1)\";", "dict:1: the expression 'f(1)': 'f' is not supported"},
         WrongText{"\na #eval{ 1/0 };", "dict:2: the expression ' 1/0 ': division by zero"},

@@ -72,6 +72,14 @@ inline CutCube cutCube(const Vec3& normal, double offset) {
     return cut;
 }
 
+/// Bit i: whether dot(normal, x) > offset at corner i.
+inline unsigned cornersBeyond(const Vec3& normal, double offset) {
+    unsigned mask = 0;
+    for (Label c = 0; c < 8; ++c)
+        if (dot(normal, cubeCorner(c)) > offset) mask |= 1U << static_cast<unsigned>(c);
+    return mask;
+}
+
 /// One plane for each set of corners (bit i: corner i) that a plane cuts off, the empty one
 /// included, the full one not.
 inline std::map<unsigned, CutCube> cubesCutByPlanes() {
@@ -81,12 +89,9 @@ inline std::map<unsigned, CutCube> cubesCutByPlanes() {
             for (int z = -3; z <= 3; ++z)
                 for (int offset = -10; offset <= 10; ++offset) {
                     const Vec3 normal{double(x), double(y), double(z)};
-                    const double beyond = offset + 0.5;
-                    unsigned mask = 0;
-                    for (Label c = 0; c < 8; ++c)
-                        if (dot(normal, cubeCorner(c)) > beyond)
-                            mask |= 1U << static_cast<unsigned>(c);
-                    if (mask != 255) cuts.try_emplace(mask, cutCube(normal, beyond));
+                    const double limit = offset + 0.5;
+                    const unsigned mask = cornersBeyond(normal, limit);
+                    if (mask != 255) cuts.try_emplace(mask, cutCube(normal, limit));
                 }
     return cuts;
 }

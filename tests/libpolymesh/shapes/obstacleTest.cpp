@@ -16,6 +16,7 @@ Obstacle obstacleOf(const Polyhedron& cell) {
     for (const Polygon& loop : cell)
         points = std::max(points, *std::ranges::max_element(loop) + 1);
     std::vector<Vec3> positions;
+    positions.reserve(index(points));
     for (Label p = 0; p < points; ++p) // where they are does not matter
         positions.push_back({1.0 * p, 0.5 * p * p, 0.1 * p * p * p});
     const PolyMesh mesh = meshOf(positions, {cell});

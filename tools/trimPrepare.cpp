@@ -10,6 +10,7 @@
 #include "tools/turnedText.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace polymesh::tools {
@@ -167,6 +168,12 @@ bool checkPlace(ToolRun& tool,
                 const std::string& file,
                 const TriSurface& surface,
                 const Box& domain) {
+    const Vec3 size = domain.size();
+    require(std::isfinite(squaredNorm(size)) && std::isfinite(size.x * size.y * size.z),
+            "{}: the mesh spans {} [m]: coordinates so large have no volume; find the points that "
+            "are out of place",
+            tool.meshDir().string(),
+            text(domain));
     const Box part = boundingBox(surface.points);
     tool.report["surface"]["box"] = toJson(part);
     tool.report["meshBox"] = toJson(domain);

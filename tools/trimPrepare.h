@@ -23,8 +23,8 @@ std::vector<std::string> patchTypes(const ToolRun& tool, const TriSurface& surfa
 void prepareSurface(ToolRun& tool, const std::string& file, TriSurface& surface);
 
 /// Compares where the surface and the mesh, by its bounding box, are: warns of a surface that
-/// leaves the mesh, throws InputError for one that misses it. True when the surface lies within the
-/// bounding box of the mesh.
+/// leaves the mesh, throws InputError for one that misses it and for a mesh too large for numbers.
+/// True when the surface lies within the bounding box of the mesh.
 bool checkPlace(ToolRun& tool,
                 const std::string& file,
                 const TriSurface& surface,

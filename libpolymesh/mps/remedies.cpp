@@ -122,6 +122,7 @@ private:
         std::vector<Label> neighbours = withNeighbours(mesh_, plan_, std::span(&cell, 1));
         std::erase(neighbours, cell);
         std::vector<std::vector<Label>> groups;
+        groups.reserve(neighbours.size());
         for (const Label other : neighbours)
             groups.push_back({other});
         for (std::size_t i = 0; i < groups.size(); ++i)

@@ -352,6 +352,14 @@ TEST(TrimSurface, aMeshThatIsNotValidIsRefusedWithWhatIsWrong) {
     expectRefused(box, "trimSurface -surface part.obj -deviation 0 -minEdge 0 -minVolume 0", parts);
 }
 
+TEST(TrimSurface, aMeshWithAPointFarOffIsRefused) {
+    const TrimCase box;
+    PolyMesh mesh = box.mesh();
+    mesh.points[0].x = -1e300;
+    foam::writePolyMesh(mesh, box.dir() / "constant/polyMesh", {});
+    expectRefused(box, "trimSurface -surface part.obj", {"constant/polyMesh", "(-1e+300 0 0)"});
+}
+
 TEST(TrimSurface, givesTheSameBytesWithAnyNumberOfThreads) {
     const TrimCase box(test::sphere(3, .41, {.5, .5, .5}));
     std::string one;

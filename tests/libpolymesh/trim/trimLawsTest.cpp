@@ -184,29 +184,24 @@ TEST(TrimLaws, renumberingTheSurfaceChangesNothing) {
         if (name != "elephant") expectRenumberingChangesNothing(boxOf(surface, 500), surface);
 }
 
-/// A box in which every cell of the lower half is one of eight: faces and edges hang.
-PolyMesh refinedBelow(Label n) {
-    const double coarse = 1.0 / n;
-    std::map<Vec3, Label> labels;
-    std::vector<Vec3> points;
-    const auto label = [&](const Vec3& p) {
-        const auto [at, isNew] = labels.try_emplace(p, toLabel(points.size()));
-        if (isNew) points.push_back(p);
-        return at->second;
-    };
-    std::vector<Polyhedron> cells;
-    const auto corner = [](const Vec3& low, double h, int i) {
-        return low + Vec3{(i & 1) != 0 ? h : 0, (i & 2) != 0 ? h : 0, (i & 4) != 0 ? h : 0};
-    };
-    const auto addHex = [&](const Vec3& low, double h) {
+/// Cells that are put side by side; points with the same coordinates are one.
+class Cells {
+public:
+    void addHex(const Vec3& low, double h) {
         std::array<Label, 8> v{};
         const std::array<int, 8> order{0, 1, 3, 2, 4, 5, 7, 6};
         for (std::size_t i = 0; i < 8; ++i)
             v[i] = label(corner(low, h, order[i]));
-        cells.push_back(hexahedron(v));
-    };
+        cells_.push_back(hexahedron(v));
+    }
+
+    void addEighths(const Vec3& low, double h) {
+        for (int part = 0; part < 8; ++part)
+            addHex(corner(low, h / 2, part), h / 2);
+    }
+
     /// A coarse cell on the fine half: four faces below, and a middle on each lower edge.
-    const auto addTransition = [&](const Vec3& low, double h) {
+    void addTransition(const Vec3& low, double h) {
         const auto at = [&](double x, double y, double z) {
             return label(low + Vec3{x * h, y * h, z * h});
         };
@@ -219,22 +214,43 @@ PolyMesh refinedBelow(Label n) {
             for (const double y : {0.0, .5})
                 cell.push_back(
                     {at(x, y, 0), at(x, y + .5, 0), at(x + .5, y + .5, 0), at(x + .5, y, 0)});
-        cells.push_back(cell);
-    };
+        cells_.push_back(cell);
+    }
+
+    PolyMesh mesh() const { return meshOf(points_, cells_); }
+
+private:
+    static Vec3 corner(const Vec3& low, double h, int i) {
+        return low + Vec3{(i & 1) != 0 ? h : 0, (i & 2) != 0 ? h : 0, (i & 4) != 0 ? h : 0};
+    }
+
+    Label label(const Vec3& p) {
+        const auto [at, isNew] = labels_.try_emplace(p, toLabel(points_.size()));
+        if (isNew) points_.push_back(p);
+        return at->second;
+    }
+
+    std::map<Vec3, Label> labels_;
+    std::vector<Vec3> points_;
+    std::vector<Polyhedron> cells_;
+};
+
+/// A box in which every cell of the lower half is one of eight: faces and edges hang.
+PolyMesh refinedBelow(Label n) {
+    const double coarse = 1.0 / n;
+    Cells cells;
     for (Label k = 0; k < n; ++k)
         for (Label j = 0; j < n; ++j)
             for (Label i = 0; i < n; ++i) {
                 const Vec3 low{coarse * i, coarse * j, coarse * k};
-                if (2 * k > n) {
-                    addHex(low, coarse);
-                } else if (2 * k == n) {
-                    addTransition(low, coarse);
-                } else {
-                    for (int part = 0; part < 8; ++part)
-                        addHex(corner(low, coarse / 2, part), coarse / 2);
-                }
+                if (2 * k > n)
+                    cells.addHex(low, coarse);
+                else if (2 * k == n)
+                    cells.addTransition(low, coarse);
+                else
+                    cells.addEighths(low, coarse);
             }
-    return meshOf(std::move(points), cells);
+    return cells.mesh();
 }
 
 TEST(TrimLaws, meshesWithHangingNodesAreTrimmedExactly) {

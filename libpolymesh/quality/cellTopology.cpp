@@ -53,39 +53,6 @@ std::size_t positionOf(const EditCell& cell, Label face) {
                                     cell.faces.begin());
 }
 
-/// Joins the faces round an edge that has more than one wedge of the cell: each wedge starts, going
-/// round the edge from low to high, at a face that runs backward and ends at one that runs forward.
-void joinWedges(MeshEditor& editor, Label c, std::span<const EdgeUse> uses, FaceSets& sets) {
-    struct Spoke {
-        double angle;
-        bool forward;
-        Label face;
-    };
-
-    const Vec3 axis = editor.point(uses[0].high) - editor.point(uses[0].low);
-    const double length = norm(axis);
-    std::vector<Spoke> spokes;
-    Vec3 zero;
-    for (const EdgeUse& use : uses) {
-        const double sign = editor.face(use.face).owner == c ? 1.0 : -1.0;
-        const Vec3 normal = sign * editor.faceGeometry(use.face).area;
-        const Vec3 inFace = (use.forward ? 1.0 : -1.0) * cross(normal, axis);
-        if (spokes.empty()) zero = inFace;
-        const double angle = std::atan2(dot(cross(zero, inFace), axis),
-                                        dot(zero, inFace) * (length > 0 ? length : 1.0));
-        spokes.push_back({angle, use.forward, use.face});
-    }
-    std::sort(spokes.begin(), spokes.end(), [](const Spoke& a, const Spoke& b) {
-        return std::tie(a.angle, a.forward, a.face) < std::tie(b.angle, b.forward, b.face);
-    });
-    const EditCell& cell = editor.cell(c);
-    for (std::size_t i = 0; i < spokes.size(); ++i) {
-        const Spoke& next = spokes[(i + 1) % spokes.size()];
-        if (!spokes[i].forward && next.forward)
-            sets.join(positionOf(cell, spokes[i].face), positionOf(cell, next.face));
-    }
-}
-
 bool isOppositePair(const EditFace& a, const EditFace& b, Label cell) {
     const std::size_t n = a.points.size();
     if (n != b.points.size()) return false;
@@ -178,6 +145,37 @@ bool allBalls(const MeshEditor& editor, std::span<const Label> cells) {
     });
 }
 
+Wedges wedgesRound(MeshEditor& editor, Label c, std::span<const EdgeUse> uses) {
+    struct Spoke {
+        double angle;
+        bool forward;
+        Label face;
+    };
+
+    const Vec3 axis = editor.point(uses[0].high) - editor.point(uses[0].low);
+    const double length = norm(axis);
+    std::vector<Spoke> spokes;
+    Vec3 zero;
+    for (const EdgeUse& use : uses) {
+        const double sign = editor.face(use.face).owner == c ? 1.0 : -1.0;
+        const Vec3 normal = sign * editor.faceGeometry(use.face).area;
+        const Vec3 inFace = (use.forward ? 1.0 : -1.0) * cross(normal, axis);
+        if (spokes.empty()) zero = inFace;
+        const double angle = std::atan2(dot(cross(zero, inFace), axis),
+                                        dot(zero, inFace) * (length > 0 ? length : 1.0));
+        spokes.push_back({angle, use.forward, use.face});
+    }
+    std::sort(spokes.begin(), spokes.end(), [](const Spoke& a, const Spoke& b) {
+        return std::tie(a.angle, a.forward, a.face) < std::tie(b.angle, b.forward, b.face);
+    });
+    Wedges wedges;
+    for (std::size_t i = 0; i < spokes.size(); ++i) {
+        const Spoke& next = spokes[(i + 1) % spokes.size()];
+        if (!spokes[i].forward && next.forward) wedges.push_back({spokes[i].face, next.face});
+    }
+    return wedges;
+}
+
 Label cancelFlatPairs(MeshEditor& editor, Label cell, std::vector<Label>& touched) {
     Label pairs = 0;
     for (std::size_t i = 0; i < editor.cell(cell).faces.size();) {
@@ -234,7 +232,9 @@ Label separateParts(MeshEditor& editor, Label c) {
             sets.join(positionOf(editor.cell(c), uses[first].face),
                       positionOf(editor.cell(c), uses[first + 1].face));
         else
-            joinWedges(editor, c, {uses.data() + first, last - first}, sets);
+            for (const auto& [from, to] :
+                 wedgesRound(editor, c, {uses.data() + first, last - first}))
+                sets.join(positionOf(editor.cell(c), from), positionOf(editor.cell(c), to));
     });
     const std::size_t main = keepVoids(editor, c, sets);
     std::vector<Label> cellOf(faces.size(), -1);

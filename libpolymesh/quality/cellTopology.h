@@ -4,6 +4,10 @@
 
 #include "libpolymesh/quality/meshEditor.h"
 
+#include <boost/container/small_vector.hpp>
+
+#include <array>
+#include <span>
 #include <vector>
 
 namespace polymesh {
@@ -20,6 +24,14 @@ struct EdgeUse {
 /// All uses of the edges of a cell, uses of one edge together, by low, high, face. Cost: a small
 /// sort.
 void collectEdgeUses(const EditMesh& mesh, Label cell, std::vector<EdgeUse>& uses);
+
+/// The two faces of each wedge of a cell at an edge.
+using Wedges = boost::container::small_vector<std::array<Label, 2>, 4>;
+
+/// The wedges of a cell round an edge that it uses more than once in each direction, by the angles
+/// of the faces: each starts, going round the edge from low to high, at a face that runs backward
+/// and ends at one that runs forward. `uses`: all of the edge.
+Wedges wedgesRound(MeshEditor& editor, Label cell, std::span<const EdgeUse> uses);
 
 /// The cells that use a point, frozen ones too: ascending.
 std::vector<Label> cellsOfPoint(const MeshEditor& editor, Label p);

@@ -8,6 +8,7 @@
 #include "libpolymesh/quality/mergeCells.h"
 #include "libpolymesh/quality/mergeFaces.h"
 #include "libpolymesh/quality/removeZeroSize.h"
+#include "libpolymesh/quality/separatePinches.h"
 #include "libpolymesh/quality/splitConcaveCells.h"
 
 namespace polymesh {
@@ -20,13 +21,14 @@ constexpr Label leastCellsOfPart = 30000;
 
 void removeWhatHasNoSize(EditMesh& mesh,
                          std::span<const Label> representative,
+                         bool mayPinch,
                          CleanUpCounts& counts) {
     MeshEditor editor(mesh);
     const CollapseCounts collapsed = collapsePoints(editor, representative);
     const ZeroSizeCounts zero = removeZeroSize(editor);
     counts.zeroCells = collapsed.removedCells + zero.cells;
-    counts.brokenCells = collapsed.brokenCells;
     counts.mergedFaces = mergeFaces(editor, 0);
+    if (mayPinch || collapsed.brokenCells > 0) counts.brokenCells = separatePinches(editor);
 }
 
 /// Returns what was done; `badCells` become the cells that checkMesh still fails.
@@ -87,7 +89,7 @@ Label improveInSlabs(EditMesh& mesh,
 CleanUpCounts
 cleanUp(EditMesh& mesh, std::span<const Label> representative, const CleanUpOptions& options) {
     CleanUpCounts counts;
-    removeWhatHasNoSize(mesh, representative, counts);
+    removeWhatHasNoSize(mesh, representative, options.mayPinch, counts);
     if (options.minEdge <= 0 && options.minVolume <= 0 && !options.mendsCells) return counts;
     CellParts slabs = divideIntoSlabs(mesh, leastCellsOfPart);
     if (slabs.count > 1) {

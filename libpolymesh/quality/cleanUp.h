@@ -16,6 +16,7 @@ struct CleanUpOptions {
     double minVolume = 0; // merge cells smaller than this fraction of the cell size cubed; 0: none
     bool mendsCells = true; // cut concave cells and repair what checkMesh would fail
     RepairEffort effort = RepairEffort::thorough; // of repairs
+    bool mayPinch = false;     // cells may touch themselves along edges: see separatePinches.h
     double concaveAngle = 0.1; // [rad] cells are cut at edges with more than 180 degrees and this
 };
 

@@ -164,6 +164,13 @@ SurfaceEdges pairEdges(const TriSurface& surface) {
     return edges;
 }
 
+bool isPinched(const SurfaceEdges& edges) {
+    const auto isSame = [](const SurfaceEdge& a, const SurfaceEdge& b) {
+        return a.start == b.start && a.end == b.end;
+    };
+    return std::ranges::adjacent_find(edges.edges, isSame) != edges.edges.end();
+}
+
 std::vector<std::array<Label, 2>> openEdges(const TriSurface& surface) {
     const Rows<SurfaceEdgeUse> uses = collectEdgeUses(surface);
     std::vector<std::array<Label, 2>> open;

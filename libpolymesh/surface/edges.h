@@ -41,6 +41,9 @@ struct SurfaceEdges {
 /// Cost: O(n log n) in the number of triangles at a point, in parallel; 0.25 M triangles in 20 ms.
 SurfaceEdges pairEdges(const TriSurface& surface);
 
+/// Whether the surface touches itself along an edge: it has several records with the same points.
+bool isPinched(const SurfaceEdges& edges);
+
 /// The directed edges {start, end} that are used more often than their opposites, one entry for
 /// each use in excess; empty for a closed, consistently oriented surface. Sorted by the lower, then
 /// the higher point.

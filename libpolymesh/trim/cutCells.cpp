@@ -194,6 +194,7 @@ Pieces makePieces(PolyMesh& mesh,
         loops.holeCount,
         countRemade(probe, places),
         mayTouch(probe, cutter, arrangement),
+        isPinched(cutter.edges),
     };
 }
 

@@ -35,6 +35,7 @@ struct Pieces {
     Label holedFaces = 0;
     Label remadeCells = 0; // in places of their own
     bool mayTouch = false; // the surface may lie on faces of the mesh
+    bool mayPinch = false; // the surface has edges of more than two triangles
 };
 
 /// Finds where the surface cuts the mesh; cells that are far outside go from the mesh.

@@ -9,6 +9,7 @@
 #include "libpolymesh/quality/editQuality.h"
 #include "libpolymesh/quality/meshEditor.h"
 #include "libpolymesh/quality/removeZeroSize.h"
+#include "libpolymesh/quality/separatePinches.h"
 #include "libpolymesh/surface/boxTree.h"
 #include "libpolymesh/surface/features.h"
 #include "libpolymesh/surface/triangleBoxes.h"
@@ -37,16 +38,6 @@ void refuseBroken(Label cells) {
         fmt::format("clean-up left {} cells open; please report this surface and mesh", cells));
 }
 
-Label countBroken(const EditMesh& mesh) {
-    Label count = 0;
-    for (Label c = 0; c < toLabel(mesh.cells.size()); ++c) {
-        const EditCell& cell = mesh.cells[index(c)];
-        const bool isChecked = !cell.frozen && !cell.isRemoved();
-        count += isChecked && cellShape(mesh, c) == CellShape::broken ? 1 : 0;
-    }
-    return count;
-}
-
 /// Takes away what has no thickness between the surface and faces of the mesh on which it lies.
 void tidyTouchingFaces(EditPart& part, TrimSummary& summary) {
     MeshEditor editor(part.mesh);
@@ -54,19 +45,25 @@ void tidyTouchingFaces(EditPart& part, TrimSummary& summary) {
     const ZeroSizeCounts zero = removeZeroSize(editor);
     removeFlatFlaps(editor);
     // Points that fall together but for rounding can leave a cell open until they are joined.
-    if (collapsed.brokenCells > 0) refuseBroken(countBroken(part.mesh));
+    if (collapsed.brokenCells > 0) refuseBroken(separatePinches(editor));
+    for (Label p = toLabel(part.representative.size()); p < toLabel(part.mesh.points.size()); ++p)
+        part.representative.push_back(p);
     summary.mergedCells += collapsed.removedCells + zero.cells;
 }
 
 /// Collapses what coincides, then what the user wants cleaned up. Returns the work on repairs.
-std::int64_t
-tidy(EditPart& part, const TrimOptions& options, RepairEffort effort, TrimSummary& summary) {
+std::int64_t tidy(EditPart& part,
+                  const TrimOptions& options,
+                  RepairEffort effort,
+                  bool mayPinch,
+                  TrimSummary& summary) {
     const CleanUpCounts counts = cleanUp(part.mesh,
                                          part.representative,
                                          {.minEdge = options.minEdge,
                                           .minVolume = options.minVolume,
                                           .mendsCells = options.mendsCells,
-                                          .effort = effort});
+                                          .effort = effort,
+                                          .mayPinch = mayPinch});
     refuseBroken(counts.brokenCells);
     summary.mergedCells += counts.zeroCells + counts.mergedCells;
     summary.collapsedEdges = counts.collapsedEdges;
@@ -192,7 +189,7 @@ private:
         clean.summary.remadePlaces.assign(places.begin(), places.end());
         try {
             if (pieces.mayTouch) tidyTouchingFaces(clean.part, clean.summary);
-            clean.work = tidy(clean.part, options_, effort, clean.summary);
+            clean.work = tidy(clean.part, options_, effort, pieces.mayPinch, clean.summary);
         } catch (const WorkError&) {
             if (openPart) *openPart = std::move(clean.part);
             throw;

@@ -13,7 +13,9 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace polymesh::test {
@@ -91,6 +93,32 @@ inline TriSurface sphere(int divisions, double radius = 1, const Vec3& centre = 
     for (Vec3& p : points)
         p = centre + radius * p;
     return surfaceOf(points, triangles);
+}
+
+/// The surface of a set of unit cubes, named by their lowest corners: it touches itself where cubes
+/// have only an edge or a corner in common.
+inline TriSurface cubes(const std::set<std::array<int, 3>>& places) {
+    std::vector<Vec3> points;
+    std::vector<std::vector<Label>> polygons;
+    for (const auto& place : places)
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            for (const int side : {0, 1}) {
+                std::array<int, 3> beyond = place;
+                beyond[axis] += 2 * side - 1;
+                if (places.contains(beyond)) continue;
+                const Label first = toLabel(points.size());
+                for (const auto& [u, v] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
+                    std::array<int, 3> corner = place;
+                    corner[axis] += side;
+                    corner[(axis + 1) % 3] += side == 1 ? u : v;
+                    corner[(axis + 2) % 3] += side == 1 ? v : u;
+                    points.push_back({static_cast<double>(corner[0]),
+                                      static_cast<double>(corner[1]),
+                                      static_cast<double>(corner[2])});
+                }
+                polygons.push_back({first, first + 1, first + 2, first + 3});
+            }
+    return surfaceOf(points, polygons);
 }
 
 /// Both surfaces as one; equal points are merged, regions of the same name too.

@@ -8,6 +8,7 @@
 #include "libpolymesh/mesh/cellGeometry.h"
 #include "libpolymesh/mesh/validate.h"
 #include "libpolymesh/quality/checks.h"
+#include "libpolymesh/surface/edges.h"
 #include "libpolymesh/surface/measure.h"
 #include "libpolymesh/surface/orient.h"
 #include "libpolymesh/trim/trim.h"
@@ -22,6 +23,8 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <random>
+#include <set>
 #include <utility>
 
 namespace polymesh::test {
@@ -315,6 +318,35 @@ TEST(TrimLaws, aBarThatEndsInsideACellOnGridPlanesLeavesClosedCells) {
     const TriSurface surface = cuboid({.5, .25, .25}, {.5625, .5625, .3125});
     const PolyMesh mesh = trimmed(box(4, 4, 4), surface, exact(Keep::outside));
     EXPECT_NEAR(volumeOf(mesh), 1 - measure(surface).volume, 1e-14);
+}
+
+/// Three cubes in each direction, two of five of them.
+TriSurface someCubes(unsigned seed) {
+    std::mt19937 random(seed);
+    std::set<std::array<int, 3>> places{{0, 0, 0}, {2, 2, 2}};
+    for (int i = 0; i < 27; ++i)
+        if (random() % 5 < 2) places.insert({i % 3, i / 3 % 3, i / 9});
+    return cubes(places);
+}
+
+TEST(TrimLaws, surfacesMayTouchThemselvesAlongEdges) {
+    for (unsigned seed = 0; seed < 12; ++seed) {
+        TriSurface surface = someCubes(seed);
+        turnAll(surface);
+        ASSERT_TRUE(isPinched(pairEdges(surface))) << seed;
+        expectExact(boxOf(surface, 200), surface, std::to_string(seed));
+        trimmed(boxOf(surface, 200), surface, {});
+    }
+}
+
+TEST(TrimLaws, surfacesOnGridPlanesMayTouchThemselvesAlongEdges) {
+    for (unsigned seed = 0; seed < 12; ++seed) {
+        const TriSurface surface = someCubes(seed);
+        for (const Label n : {2, 5, 10}) // their planes lie on some, all, none of the cubes' sides
+            expectExact(cartesianMesh({{{-1, -1, -1}, {4, 4, 4}}, {n, n, n}}),
+                        surface,
+                        std::to_string(seed));
+    }
 }
 
 TEST(TrimLaws, cleanUpEnds) {

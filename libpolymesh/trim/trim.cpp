@@ -197,30 +197,33 @@ private:
         return clean;
     }
 
-    /// Makes pieces with these places and keeps both where fewer cells are bad.
-    void takeIfBetter(std::vector<FidelityPlace> places, RepairEffort effort, CleanPieces& best) {
+    /// Makes pieces with these places and keeps both where fewer cells are bad. False where it is
+    /// all the same: the surface has no more and no less to give there.
+    bool takeIfBetter(std::vector<FidelityPlace> places, RepairEffort effort, CleanPieces& best) {
         try {
             CleanPieces other = make(places, effort);
-            if (effort == RepairEffort::thorough) work_ += other.work;
-            if (other.summary.badCells >= best.summary.badCells) return;
+            work_ += other.work;
+            if (other.summary.badCells >= best.summary.badCells) return other.work != best.work;
             best = std::move(other);
             places_ = std::move(places);
         } catch (const WorkError&) {
-            return; // what there is has no such fault
+            // What there is has no such fault.
         }
+        return true;
     }
 
     void tryOtherDeviations(RepairEffort effort, CleanPieces& best) {
         constexpr std::array<double, 6> factors{0.3, 2, 0.1, 4, 0.6, 1.4};
-        constexpr Label mostBadCells = 20;       // more: the mesh is too coarse for the surface
-        constexpr std::int64_t mostWork = 60000; // some two seconds
+        constexpr Label mostBadCells = 20; // more: the mesh is too coarse for the surface
+        const std::int64_t mostWork = effort == RepairEffort::quick ? 40000 : 90000;
+        int sames = 0;
         for (const double factor : factors) {
             const Label bad = best.summary.badCells;
-            if (bad == 0 || bad > mostBadCells || work_ > mostWork) return;
+            if (bad == 0 || bad > mostBadCells || work_ > mostWork || sames == 2) return;
             std::vector<FidelityPlace> places = places_;
             for (const Box& box : findBadPlaces(best.part, false))
                 places.push_back({box, factor});
-            takeIfBetter(std::move(places), effort, best);
+            if (!takeIfBetter(std::move(places), effort, best)) ++sames;
         }
     }
 
@@ -229,7 +232,7 @@ private:
     const FeaturedSurface& surface_;
     TrimOptions options_;
     std::vector<FidelityPlace> places_; // of the best pieces
-    std::int64_t work_ = 0;             // on thorough repairs
+    std::int64_t work_ = 0;             // on all tries
 };
 
 /// Trims a mesh whose nodes have been adjusted.

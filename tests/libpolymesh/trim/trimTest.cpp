@@ -136,10 +136,6 @@ std::vector<Shape> shapesKeeping(int kept) {
         return {{6, 8}};
     case 4:
         return {{6, 8}, {7, 10}};
-    case 5:
-        return {{7, 10}};
-    case 6:
-        return {{7, 10}};
     default:
         return {{7, 10}};
     }

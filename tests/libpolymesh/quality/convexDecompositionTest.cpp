@@ -12,6 +12,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <numeric>
 
 namespace polymesh {
@@ -40,7 +42,7 @@ std::vector<Label> allCells(const PolyMesh& mesh) {
 DecompositionCounts decomposeAll(PolyMesh& mesh) {
     const std::vector<double> before = volumesByOrigin(mesh, allCells(mesh));
     std::vector<Label> origins;
-    const DecompositionCounts counts = decomposeCells(mesh, allCells(mesh), {angle, 40}, &origins);
+    DecompositionCounts counts = decomposeCells(mesh, allCells(mesh), {angle, 40}, &origins);
     EXPECT_EQ(validate(mesh), std::vector<Defect>());
     EXPECT_EQ(concaveCells(mesh, angle), counts.remaining);
     EXPECT_EQ(toLabel(origins.size()), mesh.cellCount);
@@ -77,49 +79,52 @@ PolyMesh prismOn(const std::vector<std::array<double, 2>>& corners, Label layers
 const std::vector<std::array<double, 2>> crossCorners{
     {1, 0}, {2, 0}, {2, 1}, {3, 1}, {3, 2}, {2, 2}, {2, 3}, {1, 3}, {1, 2}, {0, 2}, {0, 1}, {1, 1}};
 
+using Voxel = std::array<int, 3>;
+
+Voxel operator+(const Voxel& a, const Voxel& b) {
+    return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+
+/// A side of a voxel: the step to the voxel beyond it, and its corners.
+struct VoxelSide {
+    Voxel step;
+    std::array<Voxel, 4> corners;
+};
+
+const std::array<VoxelSide, 6> voxelSides{{
+    {{-1, 0, 0}, {{{0, 0, 0}, {0, 0, 1}, {0, 1, 1}, {0, 1, 0}}}},
+    {{1, 0, 0}, {{{1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {1, 0, 1}}}},
+    {{0, -1, 0}, {{{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}}}},
+    {{0, 1, 0}, {{{0, 1, 0}, {0, 1, 1}, {1, 1, 1}, {1, 1, 0}}}},
+    {{0, 0, -1}, {{{0, 0, 0}, {0, 1, 0}, {1, 1, 0}, {1, 0, 0}}}},
+    {{0, 0, 1}, {{{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}}},
+}};
+
 /// The hull of the unit voxels of a 3 x 3 x 3 block for which `isIn`: one cell whose faces are the
 /// unit squares between what is in and what is out. Which must be a ball.
 PolyMesh voxelCell(const std::function<bool(int, int, int)>& isIn) {
-    const auto in = [&](int i, int j, int k) {
-        return i >= 0 && j >= 0 && k >= 0 && i < 3 && j < 3 && k < 3 && isIn(i, j, k);
+    const auto in = [&](const Voxel& v) {
+        return std::ranges::all_of(v, [](int x) { return x >= 0 && x < 3; }) &&
+               isIn(v[0], v[1], v[2]);
     };
-    std::map<std::array<int, 3>, Label> labels;
+    std::map<Voxel, Label> labels;
     std::vector<Vec3> points;
-    const auto at = [&](int i, int j, int k) {
-        const auto [found, isNew] = labels.try_emplace({i, j, k}, toLabel(points.size()));
-        if (isNew)
-            points.push_back(
-                {static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)});
+    const auto at = [&](const Voxel& v) {
+        const auto [found, isNew] = labels.try_emplace(v, toLabel(points.size()));
+        if (isNew) points.push_back({1.0 * v[0], 1.0 * v[1], 1.0 * v[2]});
         return found->second;
     };
     test::Polyhedron cell;
-    for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-            for (int k = 0; k < 3; ++k) {
-                if (!in(i, j, k)) continue;
-                const std::array<std::array<int, 3>, 8> v{{{i, j, k},
-                                                           {i + 1, j, k},
-                                                           {i + 1, j + 1, k},
-                                                           {i, j + 1, k},
-                                                           {i, j, k + 1},
-                                                           {i + 1, j, k + 1},
-                                                           {i + 1, j + 1, k + 1},
-                                                           {i, j + 1, k + 1}}};
-                const auto square = [&](int a, int b, int c, int d) {
-                    test::Polygon loop;
-                    for (const int x : {a, b, c, d}) {
-                        const auto& p = v[static_cast<std::size_t>(x)];
-                        loop.push_back(at(p[0], p[1], p[2]));
-                    }
-                    cell.push_back(loop);
-                };
-                if (!in(i - 1, j, k)) square(0, 4, 7, 3);
-                if (!in(i + 1, j, k)) square(1, 2, 6, 5);
-                if (!in(i, j - 1, k)) square(0, 1, 5, 4);
-                if (!in(i, j + 1, k)) square(3, 7, 6, 2);
-                if (!in(i, j, k - 1)) square(0, 3, 2, 1);
-                if (!in(i, j, k + 1)) square(4, 5, 6, 7);
-            }
+    for (int n = 0; n < 27; ++n) {
+        const Voxel voxel{n / 9, n / 3 % 3, n % 3};
+        if (!in(voxel)) continue;
+        for (const auto& [step, corners] : voxelSides) {
+            if (in(voxel + step)) continue;
+            cell.emplace_back();
+            for (const Voxel& corner : corners)
+                cell.back().push_back(at(voxel + corner));
+        }
+    }
     return test::meshOf(points, {cell});
 }
 
@@ -266,8 +271,8 @@ TEST(DecomposeCells, handlesRandomUnionsOfVoxels) {
         std::array<bool, 27> in{};
         for (bool& voxel : in)
             voxel = random() % 100 < 60;
-        PolyMesh mesh = voxelCell(
-            [&](int i, int j, int k) { return in[static_cast<std::size_t>(i + 3 * (j + 3 * k))]; });
+        PolyMesh mesh =
+            voxelCell([&](int i, int j, int k) { return in[index(i + 3 * (j + 3 * k))]; });
         // Only balls: V - E + F = 2, no point or edge at which it hangs together, in one piece.
         if (!validate(mesh).empty()) continue;
         std::set<std::pair<Label, Label>> edges;

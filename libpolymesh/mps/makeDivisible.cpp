@@ -11,6 +11,7 @@
 #include "libpolymesh/mps/rejoinFaces.h"
 #include "libpolymesh/mps/remedies.h"
 #include "libpolymesh/mps/restoreCells.h"
+#include "libpolymesh/mps/slidePoints.h"
 #include "libpolymesh/mps/splitFaces.h"
 #include "libpolymesh/mps/untangle.h"
 
@@ -285,19 +286,20 @@ void splitAnew(Work& work) {
         work.plan = planSubdivision(work.mesh(), work.edited.bends);
 }
 
-/// Counts rounds without fewer cells left than ever before.
+/// Counts rounds without fewer cells left than ever before. More of them are tried when there are
+/// few: along a column of concave cells what is bad travels from one to the next up to its end.
 class Patience {
 public:
-    explicit Patience(int rounds) : rounds_(rounds) {}
-
     bool isOver(std::size_t left) {
+        constexpr std::size_t few = 10;
+        constexpr int least = 2;
+        constexpr int most = 12;
         idle_ = left < fewest_ ? 0 : idle_ + 1;
         fewest_ = std::min(fewest_, left);
-        return left == 0 || idle_ > rounds_;
+        return left == 0 || idle_ > (left < few ? most : least);
     }
 
 private:
-    int rounds_;
     int idle_ = 0;
     std::size_t fewest_ = std::numeric_limits<std::size_t>::max();
 };
@@ -306,7 +308,7 @@ private:
 /// suffer from it cones.
 void becomeTetrahedra(Work& work, const RemedyMeans& means) {
     splitAnew(work);
-    for (Patience patience(2); !patience.isOver(work.plan.inverted.size()); helpLocally(work)) {
+    for (Patience patience; !patience.isOver(work.plan.inverted.size()); helpLocally(work)) {
         straightenEdges(work);
         if (!useRemedies(work, means)) break;
     }
@@ -316,7 +318,7 @@ void becomeTetrahedra(Work& work, const RemedyMeans& means) {
 /// for one cell may be bad for its neighbours, which have their turn then.
 template<class Step>
 void inRegions(Work& work, Step&& step) {
-    for (Patience patience(2); !patience.isOver(work.plan.inverted.size());) {
+    for (Patience patience; !patience.isOver(work.plan.inverted.size());) {
         if (cellsToHelp(work).empty()) break;
         const std::vector<Label> before = work.plan.inverted;
         inRegion(work, step);
@@ -336,6 +338,14 @@ void helpGently(Work& work) {
     });
 }
 
+/// Moves points of the cells that have faces which cross each other as triangles.
+void slideCrossed(Work& work) {
+    constexpr std::size_t most = 5;
+    const auto cells = crossedCells(work.mesh(), work.plan, work.plan.inverted);
+    if (cells.size() > most) return;
+    if (slidePoints(work.edited.mesh, work.plan, cells) > 0) planAgain(work);
+}
+
 /// Makes cells that nothing could help, and those beside them, whole again, as what was done to one
 /// may be what the other suffers from; with `joins` each of them one with a neighbour.
 void restore(Work& work, const RemedyMeans& means, bool joins) {
@@ -348,6 +358,7 @@ void restore(Work& work, const RemedyMeans& means, bool joins) {
     work.plan = planSubdivision(work.mesh(), work.edited.bends);
     rejoinFaces(work.edited, work.plan, work.plan.inverted);
     planAgain(work);
+    slideCrossed(work);
     if (!joins) return;
     std::vector<Label> cells;
     for (Label cell = 0; cell < work.mesh().cellCount; ++cell)

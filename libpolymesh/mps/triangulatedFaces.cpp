@@ -217,7 +217,7 @@ void TriangulatedFaces::addTriangles(const SeenFace& seen, TriangleHull& hull) c
 
 /// Triangles that a face may have while others have theirs: no diagonal of them.
 std::vector<TriangulatedFaces::Choice> TriangulatedFaces::choicesFor(Label face) const {
-    constexpr std::size_t mostCorners = 7; // 42 triangulations
+    constexpr std::size_t mostCorners = 9; // 429 triangulations
     const auto loop = mesh_.faces[face];
     std::vector<Choice> choices{{fanOf(face), {}}};
     const auto isFree = [&](Label a, Label b) {
@@ -298,11 +298,15 @@ void TriangulatedFaces::choosePairs(Label cell) {
 }
 
 void TriangulatedFaces::choosePair(Label cell, Label one, Label other) {
+    constexpr std::size_t most = 5000;
     std::pair best{released(one), released(other)};
+    const std::vector<Choice> choices = choicesFor(one);
+    std::vector<Choice> others = choicesFor(other);
     const auto count = [&] { return crossingsBeside(one) + crossingsBeside(other); };
     Label fewest = count();
-    for (const Choice& a : choicesFor(one))
-        for (const Choice& b : choicesFor(other)) {
+    if (choices.size() * others.size() > most) others.clear();
+    for (const Choice& a : choices)
+        for (const Choice& b : others) {
             if (std::ranges::find_first_of(a.diagonals, b.diagonals) != a.diagonals.end()) continue;
             *find(one) = a.triangles;
             *find(other) = b.triangles;

@@ -3,6 +3,7 @@
 #include "libpolymesh/mps/remedies.h"
 
 #include "libpolymesh/base/parallel.h"
+#include "libpolymesh/mesh/cellGeometry.h"
 #include "libpolymesh/mesh/topology.h"
 #include "libpolymesh/mps/cellLoops.h"
 #include "libpolymesh/mps/joinCells.h"
@@ -86,14 +87,14 @@ public:
 
     std::vector<Triangle> trianglesOf(Label face) const { return faces_.of(face); }
 
-    /// The neighbours with which the cell can be filled best; none.
-    std::vector<Label> partnersOf(Label cell, const KeptZones& zones) const {
+    /// Of the groups of up to so many neighbours that with which the cell has fewest crossings, and
+    /// fewer than `most`; none.
+    std::vector<Label>
+    partnersOf(Label cell, std::size_t size, Label most, const KeptZones& zones) const {
         constexpr std::size_t mostFaces = 150;
-        // A flat cell crosses nothing; those round one of its edges may be a star together.
-        const bool isFlat = plan_.cellFaces.rowSize(cell) == 4;
-        std::pair<Label, std::size_t> bestScore{isFlat ? 0 : crossings(faces_.hullOf(cell)), 0};
+        std::pair<Label, std::size_t> bestScore{most, 0};
         std::vector<Label> chosen;
-        for (std::vector<Label>& group : groupsRound(cell, isFlat ? 3 : 2)) {
+        for (std::vector<Label>& group : groupsRound(cell, size)) {
             group.push_back(cell);
             const std::vector<SeenFace> seen = outsideOf(group, zones);
             if (seen.empty() || seen.size() > mostFaces) continue;
@@ -105,6 +106,27 @@ public:
         std::erase(chosen, cell);
         return chosen;
     }
+
+    /// The neighbour with which the cell shares most area of those that it can be joined with;
+    /// none.
+    std::vector<Label> closestTo(Label cell, const KeptZones& zones) const {
+        double most = 0;
+        std::vector<Label> closest;
+        for (const std::vector<Label>& group : groupsRound(cell, 1)) {
+            if (outsideOf(std::vector<Label>{cell, group[0]}, zones).empty()) continue;
+            double area = 0;
+            for (const Label face : plan_.cellFaces[cell])
+                if (mesh_.isInternal(face) && (mesh_.owner[index(face)] == group[0] ||
+                                               mesh_.neighbour[index(face)] == group[0]))
+                    area += norm(faceGeometry(mesh_.points, mesh_.faces[face]).area);
+            if (area > most) closest = group;
+            most = std::max(most, area);
+        }
+        return closest;
+    }
+
+    /// How many triangles of the cell cross; -1 when a point sees all.
+    Label crossings(Label cell) const { return crossings(faces_.hullOf(cell)); }
 
 private:
     static Label crossings(const TriangleHull& hull) {
@@ -216,7 +238,11 @@ std::vector<Step> stepsOf(const RemedySearch& search,
     wider.faces().avoidCrossings(around);
     parallelBlocks(toLabel(hopeless.size()), 1, [&](Label, Label i, Label) {
         Step& step = steps[places[index(i)]];
-        step.partners = wider.partnersOf(hopeless[index(i)], means.zones);
+        // A flat cell crosses nothing; those round one of its edges may be a star together.
+        const Label cell = hopeless[index(i)];
+        const bool isFlat = plan.cellFaces.rowSize(cell) == 4;
+        step.partners =
+            wider.partnersOf(cell, isFlat ? 3 : 2, isFlat ? 0 : wider.crossings(cell), means.zones);
         if (!step.partners.empty()) step.splitsFaces = false;
     });
     return steps;
@@ -296,11 +322,10 @@ std::vector<std::pair<Label, Label>> partnersOf(const PolyMesh& mesh,
                                                 const SubdivisionPlan& plan,
                                                 std::span<const Label> cells,
                                                 const KeptZones& zones) {
-    const RemedySearch search(mesh, plan, withNeighbours(mesh, plan, cells));
+    const RemedySearch search(mesh, plan, cells);
     std::vector<Step> steps(cells.size());
-    parallelBlocks(toLabel(cells.size()), 1, [&](Label, Label i, Label) {
-        steps[index(i)].partners = search.partnersOf(cells[index(i)], zones);
-    });
+    for (std::size_t i = 0; i < cells.size(); ++i)
+        steps[i].partners = search.closestTo(cells[i], zones);
     return pairsOf(cells, steps);
 }
 

@@ -55,8 +55,8 @@ starCells(const PolyMesh& mesh, const SubdivisionPlan& plan, std::span<const Lab
 std::vector<Label>
 crossedCells(const PolyMesh& mesh, const SubdivisionPlan& plan, std::span<const Label> cells);
 
-/// Neighbours to join these cells (ascending) with, the best for each as in (3); no cell is in two
-/// groups, of which the first is in a pair with each other (joinCells.h). Cost: some ms a cell.
+/// Neighbours to join these cells (ascending) with, for each the one that it shares most area with;
+/// no cell is in two pairs. Cost: some us a cell.
 std::vector<std::pair<Label, Label>> partnersOf(const PolyMesh& mesh,
                                                 const SubdivisionPlan& plan,
                                                 std::span<const Label> cells,

@@ -161,6 +161,24 @@ EditFace capOf(PlaneCut& cut,
     return cap;
 }
 
+/// Adds the part of a face below the plane and the one above it to the cells there.
+void addParts(EditMesh& mesh,
+              PlaneCut& cut,
+              const EditFace& face,
+              const std::vector<Label>& parts) {
+    for (const bool wantAbove : {false, true}) {
+        EditFace part = face;
+        part.points = isCut(cut, face.points) ? cut.part(face.points, wantAbove) : face.points;
+        if (part.points.size() < 3) continue;
+        if (!isCut(cut, face.points) && cut.above[index(face.points[0])] != wantAbove) continue;
+        if (wantAbove) {
+            part.owner = parts[index(part.owner)];
+            if (part.neighbour >= 0) part.neighbour = parts[index(part.neighbour)];
+        }
+        addFace(mesh, part);
+    }
+}
+
 } // namespace
 
 EditMesh boxOfHexes(std::array<Label, 3> n, double h) {
@@ -192,20 +210,8 @@ Label splitByPlane(EditMesh& mesh, const Vec3& normal, double distance) {
         facesOfCell.emplace_back(mesh.cells[c].faces.begin(), mesh.cells[c].faces.end());
     for (EditCell& cell : mesh.cells)
         cell.faces.clear();
-    for (const EditFace& face : oldFaces) {
-        if (face.isRemoved()) continue;
-        for (const bool wantAbove : {false, true}) {
-            EditFace part = face;
-            part.points = isCut(cut, face.points) ? cut.part(face.points, wantAbove) : face.points;
-            if (part.points.size() < 3) continue;
-            if (!isCut(cut, face.points) && cut.above[index(face.points[0])] != wantAbove) continue;
-            if (wantAbove) {
-                part.owner = parts[index(part.owner)];
-                if (part.neighbour >= 0) part.neighbour = parts[index(part.neighbour)];
-            }
-            addFace(mesh, part);
-        }
-    }
+    for (const EditFace& face : oldFaces)
+        if (!face.isRemoved()) addParts(mesh, cut, face, parts);
     Label count = 0;
     for (std::size_t c = 0; c < oldCells; ++c) {
         if (parts[c] < 0 || parts[c] == toLabel(c)) continue;

@@ -22,9 +22,9 @@ TEST(Shapes, nearestPointIsOnTheShapeAndNearestAmongSamples) {
     std::mt19937 random(1);
     std::uniform_real_distribution<double> place(-3, 3);
     for (const Shape& shape : shapes) {
-        std::vector<Vec3> samples;
-        for (int i = 0; i < 2000; ++i)
-            samples.push_back(shape.nearest({place(random), place(random), place(random)}));
+        std::vector<Vec3> samples(2000);
+        for (Vec3& sample : samples)
+            sample = shape.nearest({place(random), place(random), place(random)});
         for (int i = 0; i < 50; ++i) {
             const Vec3 p{place(random), place(random), place(random)};
             const Vec3 nearest = shape.nearest(p);

@@ -118,28 +118,30 @@ TEST(EditParts, notedCellsHaveTheLabelsOfTheWhole) {
     EXPECT_EQ(editParts(mesh, slabs, first), (std::vector<Label>{0, 3, 6, 9}));
 }
 
+/// Removes cell 0; what it leaves bare of its neighbours gets patch 7.
+void removeFirstCell(EditMesh& mesh) {
+    MeshEditor editor(mesh);
+    const auto faces = editor.cell(0).faces; // a copy: the list changes
+    for (const Label f : faces) {
+        EditFace face = editor.face(f);
+        const Label other = editor.otherCell(f, 0);
+        if (other < 0) {
+            editor.removeFace(f);
+            continue;
+        }
+        if (face.owner == 0) std::reverse(face.points.begin(), face.points.end());
+        face.owner = other;
+        face.neighbour = -1;
+        face.patch = 7;
+        editor.replaceFace(f, face);
+    }
+}
+
 TEST(EditParts, cellThatVanishesAtASeamLeavesTheBoundaryToItsNeighbour) {
     EditMesh mesh = test::boxOfHexes({2, 1, 1}, 1.0);
     CellParts parts{{0, 1}, 2};
-    // Part 0 gives up its cell: what it leaves bare belongs to the boundary.
     const auto vanish = [](EditMesh& own, Label part) {
-        if (part == 0) {
-            MeshEditor editor(own);
-            const auto faces = editor.cell(0).faces;
-            for (const Label f : faces) {
-                EditFace face = editor.face(f);
-                const Label other = editor.otherCell(f, 0);
-                if (other < 0) {
-                    editor.removeFace(f);
-                    continue;
-                }
-                if (face.owner == 0) std::reverse(face.points.begin(), face.points.end());
-                face.owner = other;
-                face.neighbour = -1;
-                face.patch = 7;
-                editor.replaceFace(f, face);
-            }
-        }
+        if (part == 0) removeFirstCell(own);
         return std::vector<Label>{};
     };
     editParts(mesh, parts, vanish);

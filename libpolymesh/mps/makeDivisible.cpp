@@ -16,9 +16,11 @@
 #include "libpolymesh/mps/untangle.h"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -347,8 +349,8 @@ void slideCrossed(Work& work) {
 }
 
 /// Makes cells that nothing could help, and those beside them, whole again, as what was done to one
-/// may be what the other suffers from; with `joins` each of them one with a neighbour.
-void restore(Work& work, const RemedyMeans& means, bool joins) {
+/// may be what the other suffers from; with a `partner` each of them one with a neighbour.
+void restore(Work& work, const RemedyMeans& means, std::optional<Partner> partner) {
     std::set<Label> origins;
     for (const Label cell : work.plan.inverted)
         origins.insert(work.edited.cellFrom[index(cell)]);
@@ -359,11 +361,11 @@ void restore(Work& work, const RemedyMeans& means, bool joins) {
     rejoinFaces(work.edited, work.plan, work.plan.inverted);
     planAgain(work);
     slideCrossed(work);
-    if (!joins) return;
+    if (!partner) return;
     std::vector<Label> cells;
     for (Label cell = 0; cell < work.mesh().cellCount; ++cell)
         if (origins.contains(work.edited.cellFrom[index(cell)])) cells.push_back(cell);
-    join(work, partnersOf(work.mesh(), work.plan, cells, means.zones));
+    join(work, partnersOf(work.mesh(), work.plan, cells, means.zones, *partner));
     planAgain(work);
 }
 
@@ -388,7 +390,8 @@ Work workOn(PolyMesh mesh) {
 } // namespace
 
 Divisible makeDivisible(PolyMesh mesh, const RemedyMeans& means) {
-    constexpr int restorings = 3;
+    constexpr std::array<std::optional<Partner>, 3> restorings{
+        std::nullopt, Partner::closest, Partner::uncrossed};
     const std::vector<FaceGeometry> boundary = boundaryGeometry(mesh);
     const Label cells = mesh.cellCount;
     Work work = workOn(std::move(mesh));
@@ -396,9 +399,10 @@ Divisible makeDivisible(PolyMesh mesh, const RemedyMeans& means) {
         inRegion(work, helpGently);
         helpWithTetrahedra(work, means);
     }
-    for (int i = 0; i < restorings && !work.plan.inverted.empty(); ++i) {
+    for (const auto& partner : restorings) {
+        if (work.plan.inverted.empty()) break;
         Work again = work;
-        restore(again, means, i > 0);
+        restore(again, means, partner);
         helpWithTetrahedra(again, means);
         if (again.plan.inverted.size() <= work.plan.inverted.size()) work = std::move(again);
     }

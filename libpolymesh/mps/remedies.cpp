@@ -11,6 +11,7 @@
 #include "libpolymesh/mps/triangulatedFaces.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -321,11 +322,16 @@ crossedCells(const PolyMesh& mesh, const SubdivisionPlan& plan, std::span<const 
 std::vector<std::pair<Label, Label>> partnersOf(const PolyMesh& mesh,
                                                 const SubdivisionPlan& plan,
                                                 std::span<const Label> cells,
-                                                const KeptZones& zones) {
-    const RemedySearch search(mesh, plan, cells);
+                                                const KeptZones& zones,
+                                                Partner which) {
+    constexpr Label any = std::numeric_limits<Label>::max();
+    const std::vector<Label> around = withNeighbours(mesh, plan, cells);
+    RemedySearch search(mesh, plan, around);
+    if (which == Partner::uncrossed) search.faces().avoidCrossings(around);
     std::vector<Step> steps(cells.size());
     for (std::size_t i = 0; i < cells.size(); ++i)
-        steps[i].partners = search.closestTo(cells[i], zones);
+        steps[i].partners = which == Partner::closest ? search.closestTo(cells[i], zones)
+                                                      : search.partnersOf(cells[i], 2, any, zones);
     return pairsOf(cells, steps);
 }
 

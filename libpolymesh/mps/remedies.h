@@ -55,12 +55,19 @@ starCells(const PolyMesh& mesh, const SubdivisionPlan& plan, std::span<const Lab
 std::vector<Label>
 crossedCells(const PolyMesh& mesh, const SubdivisionPlan& plan, std::span<const Label> cells);
 
-/// Neighbours to join these cells (ascending) with, for each the one that it shares most area with;
-/// no cell is in two pairs. Cost: some us a cell.
+/// Which neighbour a cell is joined with.
+enum class Partner {
+    closest,  // that it shares most area with
+    uncrossed // one or two with which fewest triangles cross
+};
+
+/// Neighbours to join these cells (ascending) with; no cell is in two groups, of which the first is
+/// in a pair with each other one (joinCells.h). Cost: some ms a cell.
 std::vector<std::pair<Label, Label>> partnersOf(const PolyMesh& mesh,
                                                 const SubdivisionPlan& plan,
                                                 std::span<const Label> cells,
-                                                const KeptZones& zones = {});
+                                                const KeptZones& zones = {},
+                                                Partner which = Partner::closest);
 
 /// The mesh with these steps taken. Cost: linear.
 PolyMesh withRemedies(PolyMesh mesh, const Remedies& remedies);

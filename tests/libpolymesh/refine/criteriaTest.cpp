@@ -37,7 +37,8 @@ public:
             forCells([&](std::array<int, 3> at, int width, int own) {
                 const double h = static_cast<double>(width) / n_;
                 const auto middle = [&](int i) {
-                    return h * (static_cast<double>(i / width) + 0.5);
+                    const int place = i / width;
+                    return h * (place + 0.5);
                 };
                 const Vec3 centre{middle(at[0]), middle(at[1]), middle(at[2])};
                 if (own == level && wants(centre, 0.5 * std::sqrt(3) * h, h, level))

@@ -64,7 +64,7 @@ TEST(OutsideCells, leaveAValidMeshWhateverIsLeftOut) {
     std::mt19937 random(3);
     for (int i = 0; i < 30; ++i) {
         const CartesianBox box{{{0, 0, 0}, {3, 4, 5}}, {6, 5, 4}};
-        std::vector<std::uint8_t> flags(6 * 5 * 4);
+        std::vector<std::uint8_t> flags(120); // one for each cell
         for (std::uint8_t& flag : flags)
             flag = random() % 10 < static_cast<unsigned>(i % 10) ? 1 : 0;
         const auto left = std::ranges::count(flags, std::uint8_t{0});

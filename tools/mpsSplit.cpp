@@ -19,7 +19,11 @@ namespace {
 
 const std::vector<Option> options{
     surfaceOption("put new boundary points, where that inverts nothing, onto this closed surface"),
-    {"featureAngle", "DEG", "with -surface: edges sharper than this are kept [deg]; default 30"}};
+    {"featureAngle", "DEG", "with -surface: edges sharper than this are kept [deg]; default 30"},
+    {"only",
+     "polyhedra",
+     "leave hexahedra alone but those next to what is divided, which become a layer of pyramids "
+     "and tetrahedra"}};
 
 void project(ToolRun& tool, Divisible& divisible) {
     if (!tool.settings.has("surface")) return;
@@ -33,21 +37,48 @@ void project(ToolRun& tool, Divisible& divisible) {
             divisible.mesh, divisible.plan, surface, tool.settings.angle("featureAngle", 30)));
 }
 
+/// Whether hexahedra stay. Throws InputError where they cannot.
+bool keepsHexahedra(const ToolRun& tool, const PolyMesh& mesh) {
+    if (!tool.settings.has("only")) return false;
+    tool.settings.word("only", {"polyhedra"}, "polyhedra");
+    for (const Patch& patch : mesh.patches)
+        require(!patch.type.starts_with("cyclic"),
+                "{}: patch {} is {}: the two sides of cyclic patches could be divided differently; "
+                "leave the option out",
+                tool.settings.place("only"),
+                patch.name,
+                patch.type);
+    return true;
+}
+
+/// Divides as planned, all cells or what is no hexahedron; the latter changes the figures too.
+PolyMesh divideAsAsked(Divisible& divisible, bool keepsHexahedra, MpsFigures& figures) {
+    if (!keepsHexahedra) return divide(divisible.mesh, std::move(divisible.plan));
+    const std::vector<Fate> fates = fatesOf(divisible.mesh, divisible.plan, divisible.bends);
+    const PolyMesh divided = divide(divisible.mesh, std::move(divisible.plan));
+    PartlyDivided partly = keepHexahedra(divisible, fates, divided);
+    takeOnlyDivided(divisible, fates, partly, figures);
+    return std::move(partly.mesh);
+}
+
 ExitCode run(ToolRun& tool) {
     const foam::WriteFormat format = tool.writeFormat();
     tool.clock.start("read");
     PolyMesh mesh = foam::readPolyMesh(tool.meshDir());
     tool.clock.start("check mesh");
     refuseInvalid(tool, mesh);
+    const bool keeps = keepsHexahedra(tool, mesh);
     const TravellingSets travelling = takeSets(tool.meshDir(), mesh);
     tool.clock.start("plan");
     const UndividedMesh undivided = describe(mesh);
-    Divisible divisible = makeDivisible(
-        std::move(mesh), {{travelling.cellZones, travelling.faceZones}, tetgenTetrahedraliser()});
+    Divisible divisible =
+        makeDivisible(std::move(mesh),
+                      {{travelling.cellZones, travelling.faceZones}, tetgenTetrahedraliser()},
+                      keeps ? Hexahedra::kept : Hexahedra::divided);
     project(tool, divisible);
-    const MpsFigures figures = figuresOf(undivided, divisible);
+    MpsFigures figures = figuresOf(undivided, divisible);
     tool.clock.start("divide");
-    PolyMesh result = divide(divisible.mesh, std::move(divisible.plan));
+    PolyMesh result = divideAsAsked(divisible, keeps, figures);
     const PolyMesh sets = removeSets(travelling, result);
     tool.clock.start("validate");
     requireConformal(result, figures);

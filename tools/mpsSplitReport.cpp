@@ -108,12 +108,39 @@ MpsFigures figuresOf(const UndividedMesh& undivided, const Divisible& divisible)
                        demandedCounts(divisible.mesh),
                        {plan.hexahedra, plan.pyramids},
                        invertedOf(divisible.mesh, plan),
+                       {},
                        {}};
     for (const Label cell : plan.inverted)
         for (Label part = plan.firstPart[index(cell)]; part < plan.firstPart[index(cell) + 1];
              ++part)
             figures.invertedParts.push_back(part);
     return figures;
+}
+
+void takeOnlyDivided(const Divisible& divisible,
+                     const std::vector<Fate>& fates,
+                     const PartlyDivided& partly,
+                     MpsFigures& figures) {
+    const SubdivisionPlan& plan = divisible.plan;
+    const auto isDivided = [&](Label cell) { return fates[index(cell)] == Fate::divided; };
+    figures.demanded = demandedCounts(divisible.mesh, isDivided);
+    std::erase_if(figures.inverted, [&](const InvertedCell& c) { return !isDivided(c.cell); });
+    figures.invertedParts.clear();
+    for (const Label cell : plan.inverted)
+        for (Label part = partly.firstCell[index(cell)];
+             isDivided(cell) && part < partly.firstCell[index(cell) + 1];
+             ++part)
+            figures.invertedParts.push_back(part);
+    PartFigures& counts = figures.part;
+    counts.isPart = true;
+    const Rows<Label> faces = cellFaces(partly.mesh);
+    for (Label c = 0; c < toLabel(fates.size()); ++c) {
+        counts.whole += fates[index(c)] == Fate::whole ? 1 : 0;
+        if (fates[index(c)] != Fate::layer) continue;
+        ++counts.layer;
+        for (Label cone = partly.firstCell[index(c)]; cone < partly.firstCell[index(c) + 1]; ++cone)
+            ++(faces.rowSize(cone) == 4 ? counts.tetrahedra : counts.pyramids);
+    }
 }
 
 void requireConformal(const PolyMesh& result, const MpsFigures& figures) {
@@ -161,20 +188,50 @@ void reportProjection(ToolRun& tool, const ProjectionCounts& counts) {
     tool.report["largestMove"] = counts.largestMove;
 }
 
+namespace {
+
+/// Throws WorkError when the result has other shapes than theory demands.
+void requireDemanded(const MpsFigures& figures, const ShapeCounts& shapes, Label cells) {
+    const PartFigures& part = figures.part;
+    const std::int64_t hexahedra = shapes[StandardShape::hexahedron] - part.whole;
+    const std::int64_t pyramids = shapes[StandardShape::pyramid] - part.pyramids;
+    const Label tetrahedra = shapes[StandardShape::tetrahedron];
+    if (hexahedra == figures.demanded.hexahedra && pyramids == figures.demanded.pyramids &&
+        tetrahedra == part.tetrahedra &&
+        hexahedra + pyramids + part.whole + part.pyramids + tetrahedra == cells)
+        return;
+    throw WorkError(fmt::format("the division has {} hexahedra and {} pyramids of {} cells, where "
+                                "theory demands {} and {}",
+                                hexahedra,
+                                pyramids,
+                                cells,
+                                figures.demanded.hexahedra,
+                                figures.demanded.pyramids));
+}
+
+void reportPart(ToolRun& tool, const PartFigures& part) {
+    if (!part.isPart) return;
+    tool.say(
+        "left alone {} hexahedra; {} others are a layer of {} pyramids and {} tetrahedra round "
+        "what is divided",
+        part.whole,
+        part.layer,
+        part.pyramids,
+        part.tetrahedra);
+    tool.report["wholeHexahedra"] = part.whole;
+    tool.report["layerHexahedra"] = part.layer;
+    tool.report["layerPyramids"] = part.pyramids;
+    tool.report["layerTetrahedra"] = part.tetrahedra;
+}
+
+} // namespace
+
 bool reportSplit(ToolRun& tool, const MpsFigures& figures, const PolyMesh& result) {
     const Rows<Label> faces = cellFaces(result);
     const ShapeCounts shapes = countShapes(result, faces);
-    const Label hexahedra = shapes[StandardShape::hexahedron];
-    const Label pyramids = shapes[StandardShape::pyramid];
-    if (hexahedra != figures.demanded.hexahedra || pyramids != figures.demanded.pyramids ||
-        hexahedra + pyramids != result.cellCount)
-        throw WorkError(fmt::format("the division has {} hexahedra and {} pyramids of {} cells, "
-                                    "where theory demands {} and {}",
-                                    hexahedra,
-                                    pyramids,
-                                    result.cellCount,
-                                    figures.demanded.hexahedra,
-                                    figures.demanded.pyramids));
+    requireDemanded(figures, shapes, result.cellCount);
+    const std::int64_t hexahedra = shapes[StandardShape::hexahedron];
+    const std::int64_t pyramids = shapes[StandardShape::pyramid];
     const double volume = boundedVolume(result);
     tool.clock.stop();
     tool.say("cells      {} divided into {}: {} hexahedra and {} pyramids ({:.2f} %)",
@@ -182,7 +239,8 @@ bool reportSplit(ToolRun& tool, const MpsFigures& figures, const PolyMesh& resul
              result.cellCount,
              hexahedra,
              pyramids,
-             100.0 * pyramids / std::max<Label>(1, result.cellCount));
+             100.0 * static_cast<double>(pyramids) / std::max<Label>(1, result.cellCount));
+    reportPart(tool, figures.part);
     tool.say("           as theory demands: one for each node of valence 3, 2v for each other one");
     tool.say("volume     {:.9g} m^3, {:.2g} of it off that of the undivided mesh",
              volume,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "libpolymesh/mps/keepHexahedra.h"
 #include "libpolymesh/mps/makeDivisible.h"
 #include "libpolymesh/mps/projectBoundary.h"
 #include "tools/toolMain.h"
@@ -23,6 +24,15 @@ struct UndividedMesh {
     double volume = 0; // [m^3]
 };
 
+/// What `-only polyhedra` left alone and put between.
+struct PartFigures {
+    bool isPart = false;
+    Label whole = 0; // hexahedra
+    Label layer = 0; // hexahedra that became cones
+    Label pyramids = 0;
+    Label tetrahedra = 0;
+};
+
 /// What the report needs of the mesh and the plan, which the division uses up.
 struct MpsFigures {
     UndividedMesh undivided;
@@ -31,6 +41,7 @@ struct MpsFigures {
     SubdivisionCounts planned;
     std::vector<InvertedCell> inverted; // by Jacobian, the worst first
     std::vector<Label> invertedParts;   // cells of the divided mesh, ascending
+    PartFigures part;
 };
 
 /// Cost: linear.
@@ -38,6 +49,12 @@ UndividedMesh describe(const PolyMesh& mesh);
 
 /// Cost: linear.
 MpsFigures figuresOf(const UndividedMesh& undivided, const Divisible& divisible);
+
+/// Takes out of the figures what is not divided, and counts the layer. Cost: linear.
+void takeOnlyDivided(const Divisible& divisible,
+                     const std::vector<Fate>& fates,
+                     const PartlyDivided& partly,
+                     MpsFigures& figures);
 
 /// Throws WorkError unless the mesh is valid; inverted parts that are known of are let through.
 void requireConformal(const PolyMesh& result, const MpsFigures& figures);

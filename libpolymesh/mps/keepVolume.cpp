@@ -14,11 +14,12 @@ namespace {
 
 /// Consecutive boundary faces of the mesh that take the place of faces of the undivided mesh.
 struct Group {
-    Label first;       // face
-    Label last;        // behind the last
-    Vec3 area;         // [m^2]
-    Vec3 apex;         // [m] any point near
-    double target = 0; // [m^3] three times the volume over the apex that the faces should hold
+    Label first;          // face
+    Label last;           // behind the last
+    Vec3 area;            // [m^2]
+    Vec3 apex;            // [m] any point near
+    double target = 0;    // [m^3] three times the volume over the apex that the faces should hold
+    bool isFixed = false; // of a cell that is not divided
     bool isMoved = false;
 };
 
@@ -123,7 +124,7 @@ double fitAll(const PolyMesh& mesh, std::vector<Group>& groups, SubdivisionPlan&
                                    plan.points.begin() + plan.layout.firstCell);
     parallelFor(toLabel(groups.size()), [&](Label g) {
         Group& group = groups[index(g)];
-        group.isMoved = fit(mesh, group, plan);
+        group.isMoved = !group.isFixed && fit(mesh, group, plan);
     });
     std::vector<Label> bad = invertedCells(mesh, plan, movedCells(mesh, groups));
     std::erase_if(bad, [&](Label c) { return std::ranges::binary_search(plan.inverted, c); });
@@ -146,6 +147,26 @@ double fitAll(const PolyMesh& mesh, std::vector<Group>& groups, SubdivisionPlan&
     return missing;
 }
 
+/// Fixes the groups with a face of a cell that is not divided. Returns what these hold too much.
+double fixUndivided(const PolyMesh& mesh,
+                    const SubdivisionPlan& plan,
+                    std::span<const Fate> fates,
+                    std::vector<Group>& groups) {
+    double missing = 0;
+    for (Group& group : groups) {
+        double held = 0;
+        for (Label face = group.first; face < group.last; ++face) {
+            const bool isDivided = fates[index(mesh.owner[index(face)])] == Fate::divided;
+            const FaceGeometry whole = faceGeometry(mesh.points, mesh.faces[face]);
+            held += isDivided ? heldBy(mesh, plan, face, group.apex)
+                              : dot(whole.area, whole.centre - group.apex);
+            group.isFixed = group.isFixed || !isDivided;
+        }
+        if (group.isFixed) missing += held - group.target;
+    }
+    return missing;
+}
+
 } // namespace
 
 std::vector<FaceGeometry> boundaryGeometry(const PolyMesh& mesh) {
@@ -160,10 +181,12 @@ std::vector<FaceGeometry> boundaryGeometry(const PolyMesh& mesh) {
 Label keepVolume(const PolyMesh& mesh,
                  std::span<const Label> from,
                  std::span<const FaceGeometry> undivided,
+                 std::span<const Fate> fates,
                  SubdivisionPlan& plan) {
     constexpr int rounds = 4;
     std::vector<Group> groups = groupsOf(mesh, plan, from, undivided);
-    double missing = fitAll(mesh, groups, plan);
+    double missing = fates.empty() ? 0 : fixUndivided(mesh, plan, fates, groups);
+    missing += fitAll(mesh, groups, plan);
     for (int round = 1; round < rounds && missing != 0; ++round) {
         double area = 0;
         for (const Group& group : groups)

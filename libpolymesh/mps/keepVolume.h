@@ -3,6 +3,7 @@
 #pragma once
 
 #include "libpolymesh/mesh/cellGeometry.h"
+#include "libpolymesh/mps/fate.h"
 #include "libpolymesh/mps/midPointSubdivision.h"
 
 #include <span>
@@ -17,12 +18,14 @@ std::vector<FaceGeometry> boundaryGeometry(const PolyMesh& mesh);
 /// faces along their normals so that the divided boundary holds what the undivided one held, face
 /// by face: `undivided` has the faces that those of the mesh are, or are pieces of; `from` tells,
 /// for each boundary face of the mesh, which; pieces follow each other. Where a part would become
-/// inverted the face's points go back, and others take over what is missing. Flat faces stay.
+/// inverted the face's points go back, and others take over what is missing. Flat faces stay, and
+/// those of cells for which `fates` (one a cell, or empty) says that they are not divided.
 /// Returns the number of faces that have moved. Cost: linear in the boundary; parallel. The same
 /// bytes for any number of threads.
 Label keepVolume(const PolyMesh& mesh,
                  std::span<const Label> from,
                  std::span<const FaceGeometry> undivided,
+                 std::span<const Fate> fates,
                  SubdivisionPlan& plan);
 
 } // namespace polymesh

@@ -5,6 +5,7 @@
 #include "libpolymesh/mesh/cellGeometry.h"
 #include "libpolymesh/mps/cones.h"
 #include "libpolymesh/mps/joinCells.h"
+#include "libpolymesh/mps/keepHexahedra.h"
 #include "libpolymesh/mps/keepVolume.h"
 #include "libpolymesh/mps/loopCuts.h"
 #include "libpolymesh/mps/meshRegion.h"
@@ -389,7 +390,7 @@ Work workOn(PolyMesh mesh) {
 
 } // namespace
 
-Divisible makeDivisible(PolyMesh mesh, const RemedyMeans& means) {
+Divisible makeDivisible(PolyMesh mesh, const RemedyMeans& means, Hexahedra hexahedra) {
     constexpr std::array<std::optional<Partner>, 3> restorings{
         std::nullopt, Partner::closest, Partner::uncrossed};
     const std::vector<FaceGeometry> boundary = boundaryGeometry(mesh);
@@ -407,7 +408,9 @@ Divisible makeDivisible(PolyMesh mesh, const RemedyMeans& means) {
         if (again.plan.inverted.size() <= work.plan.inverted.size()) work = std::move(again);
     }
     work.counts.newCells = work.mesh().cellCount - cells;
-    keepVolume(work.mesh(), work.edited.boundaryFrom, boundary, work.plan);
+    std::vector<Fate> fates;
+    if (hexahedra == Hexahedra::kept) fates = fatesOf(work.mesh(), work.plan, work.edited.bends);
+    keepVolume(work.mesh(), work.edited.boundaryFrom, boundary, fates, work.plan);
     return {std::move(work.edited.mesh),
             std::move(work.plan),
             std::move(work.edited.bends),

@@ -6,6 +6,8 @@
 #include "libpolymesh/mps/midPointSubdivision.h"
 #include "libpolymesh/mps/remedies.h"
 
+#include <cstdint>
+
 namespace polymesh {
 
 /// What was done to a mesh so that it divides well.
@@ -18,6 +20,9 @@ struct DivisibleCounts {
     Label newCells = 0;      // by which the mesh has grown
     Label movedPoints = 0;   // new and hanging points inside that left their places
 };
+
+/// Whether hexahedra that need no division will be left alone (keepHexahedra.h).
+enum class Hexahedra : std::uint8_t { divided, kept };
 
 /// A mesh and a plan of its subdivision with as few inverted parts as could be reached.
 struct Divisible {
@@ -35,6 +40,8 @@ struct Divisible {
 /// face that had to be split. The points of warped boundary faces are such that the volume stays.
 /// Cost: twice planSubdivision, and about 1 ms and core for each cell in need: only they and their
 /// neighbours are looked at in between (meshRegion.h). The same for any number of threads.
-Divisible makeDivisible(PolyMesh mesh, const RemedyMeans& means = {});
+Divisible makeDivisible(PolyMesh mesh,
+                        const RemedyMeans& means = {},
+                        Hexahedra hexahedra = Hexahedra::divided);
 
 } // namespace polymesh

@@ -8,6 +8,7 @@
 #include "libpolymesh/mps/partGeometry.h"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace polymesh {
@@ -61,5 +62,8 @@ struct SubdivisionCounts {
 };
 
 SubdivisionCounts demandedCounts(const PolyMesh& mesh);
+
+/// The same for the cells for which `isDivided` says so.
+SubdivisionCounts demandedCounts(const PolyMesh& mesh, const std::function<bool(Label)>& isDivided);
 
 } // namespace polymesh

@@ -186,9 +186,15 @@ invertedCells(const PolyMesh& mesh, const SubdivisionPlan& plan, std::span<const
 }
 
 SubdivisionCounts demandedCounts(const PolyMesh& mesh) {
+    return demandedCounts(mesh, [](Label) { return true; });
+}
+
+SubdivisionCounts demandedCounts(const PolyMesh& mesh,
+                                 const std::function<bool(Label)>& isDivided) {
     const Rows<Label> faces = cellFaces(mesh);
     const auto countOf = [&](Label cell) {
         SubdivisionCounts counts;
+        if (!isDivided(cell)) return counts;
         std::vector<Label> points;
         for (const Label face : faces[cell])
             points.insert(points.end(), mesh.faces[face].begin(), mesh.faces[face].end());

@@ -60,6 +60,34 @@ TEST(MpsSplit, dividesATrimmedMesh) {
     EXPECT_NEAR(report["volume"], 0.125, 1e-12);
 }
 
+TEST(MpsSplit, leavesHexahedraAloneWhenAsked) {
+    const TemporaryCase box;
+    std::filesystem::create_directories(box.dir() / "constant/triSurface");
+    writeSurface(test::sphere(4, .41, {.5, .5, .5}), box.dir() / "constant/triSurface/part.obj");
+    const ProgramResult result =
+        box.run("blockInit -box '0 0 0 1 1 1' -cells '12 12 12' -quiet && trimSurface -surface "
+                "part.obj -quiet && mpsSplit -only polyhedra -json report.json && checkMesh "
+                "-allTopology");
+    EXPECT_EQ(result.status, 0) << result.out << result.err;
+    const auto report = nlohmann::json::parse(box.read("report.json"));
+    EXPECT_GT(report["wholeHexahedra"], 50);
+    EXPECT_GT(report["layerPyramids"], report["layerHexahedra"]);
+    EXPECT_EQ(report["hexahedra"],
+              report["demandedHexahedra"].get<int>() + report["wholeHexahedra"].get<int>());
+    EXPECT_NEAR(report["volumeError"], 0, 1e-12);
+}
+
+TEST(MpsSplit, refusesToLeaveHexahedraAloneBesideCyclicPatches) {
+    PolyMesh mesh = test::box(2, 2, 2);
+    mesh.patches[0].type = "cyclic";
+    const MeshCase cyclic(mesh);
+    const ProgramResult result = cyclic.split("-only polyhedra");
+    EXPECT_EQ(result.status, 2);
+    EXPECT_NE(result.err.find("is cyclic"), std::string::npos) << result.err;
+    EXPECT_EQ(cyclic.mesh().cellCount, 8);
+    EXPECT_EQ(cyclic.split("-only tetrahedra").status, 2);
+}
+
 TEST(MpsSplit, curvedPartsKeepTheirVolumeAndHaveNoInvertedPart) {
     const TemporaryCase box;
     std::filesystem::create_directories(box.dir() / "constant/triSurface");

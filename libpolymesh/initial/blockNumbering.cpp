@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/initial/blockNumbering.h"
 
+#include "libpolymesh/base/disjointSets.h"
 #include "libpolymesh/base/error.h"
 #include "libpolymesh/base/freshList.h"
 #include "libpolymesh/base/parallel.h"
@@ -10,50 +11,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <utility>
 
 namespace polymesh {
 namespace {
 
 /// Points of a block that are nearer than this share of its size coincide.
 constexpr double coincidence = 1e-14;
-
-/// Sets of block points; the lowest label stands for each.
-class PointSets {
-public:
-    explicit PointSets(std::size_t size) : parent_(freshList<Label>(size)) {
-        parallelFor(toLabel(size), [&](Label p) { parent_[index(p)] = p; });
-    }
-
-    void unite(Label a, Label b) {
-        a = lowest(a);
-        b = lowest(b);
-        parent_[index(std::max(a, b))] = std::min(a, b);
-    }
-
-    /// Replaces each point by its number among the sets; returns how many there are.
-    Label number(std::vector<Label>& numbers) {
-        Label count = 0;
-        for (std::size_t p = 0; p < parent_.size(); ++p) {
-            // A parent is lower than its child, so it has its number already.
-            const Label parent = parent_[p];
-            parent_[p] = index(parent) == p ? count++ : parent_[index(parent)];
-        }
-        numbers = std::move(parent_);
-        return count;
-    }
-
-private:
-    Label lowest(Label p) {
-        while (parent_[index(p)] != p) {
-            parent_[index(p)] = parent_[index(parent_[index(p)])];
-            p = parent_[index(p)];
-        }
-        return p;
-    }
-
-    std::vector<Label> parent_;
-};
 
 /// Calls visit(u, v, neighbour u, neighbour v) for neighbouring points along u and along v.
 template<class Visit>
@@ -84,12 +48,12 @@ bool hasCollapsedEdge(const BlockMeshDescription& description, const Block& bloc
 void uniteCollapsed(const Block& block,
                     const std::vector<Vec3>& points,
                     Label firstPoint,
-                    PointSets& sets) {
+                    DisjointSets& sets) {
     const double tolerance2 = coincidence2(points);
     for (std::size_t s = 0; s < 6; ++s)
         forNeighbours(sideGrid({block.cells}, s), [&](Label p, Label q) {
             if (squaredNorm(points[index(p)] - points[index(q)]) <= tolerance2)
-                sets.unite(firstPoint + p, firstPoint + q);
+                sets.join(firstPoint + p, firstPoint + q);
         });
 }
 
@@ -108,7 +72,7 @@ double gapLimit2(const SideGrid& side, const std::vector<Vec3>& points) {
 void uniteShared(const BlockMeshDescription& description,
                  const SharedSide& shared,
                  const BlockNumbering& numbering,
-                 PointSets& sets) {
+                 DisjointSets& sets) {
     const auto [a, b] = shared.blocks;
     const std::vector<Vec3>& pointsA = numbering.points[index(a)];
     const std::vector<Vec3>& pointsB = numbering.points[index(b)];
@@ -128,7 +92,7 @@ void uniteShared(const BlockMeshDescription& description,
                     x.x,
                     x.y,
                     x.z);
-            sets.unite(numbering.firstPoint[index(a)] + p, numbering.firstPoint[index(b)] + q);
+            sets.join(numbering.firstPoint[index(a)] + p, numbering.firstPoint[index(b)] + q);
         }
 }
 
@@ -152,7 +116,7 @@ BlockNumbering numberPoints(const BlockMeshDescription& description,
                             const BlockTopology& topology) {
     BlockNumbering numbering;
     const Label pointCount = layOut(description.blocks, numbering);
-    PointSets sets(index(pointCount));
+    DisjointSets sets(pointCount);
     for (std::size_t b = 0; b < description.blocks.size(); ++b) {
         const Block& block = description.blocks[b];
         numbering.points.push_back(blockPoints(description, block));
@@ -162,7 +126,9 @@ BlockNumbering numberPoints(const BlockMeshDescription& description,
     }
     for (const SharedSide& shared : topology.shared)
         uniteShared(description, shared, numbering, sets);
-    numbering.meshPointCount = sets.number(numbering.meshPoint);
+    DisjointSets::Numbers numbers = std::move(sets).numbers();
+    numbering.meshPointCount = numbers.count;
+    numbering.meshPoint = std::move(numbers.of);
     return numbering;
 }
 

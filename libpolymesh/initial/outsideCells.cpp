@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/initial/outsideCells.h"
 
+#include "libpolymesh/base/disjointSets.h"
 #include "libpolymesh/base/freshList.h"
 #include "libpolymesh/base/parallel.h"
 #include "libpolymesh/surface/triangleBins.h"
@@ -16,13 +17,11 @@ namespace {
 
 using Counts = std::array<Label, 3>;
 
-/// Consecutive flagged cells [first, last) of a row along x. The runs of a region are a tree; its
-/// root, which is its own parent, knows whether the region reaches the sides of the box.
+/// Consecutive flagged cells [first, last) of a row along x.
 struct Run {
     Label first;
     Label last;
-    Label parent;
-    bool reachesSide;
+    bool isAtSide; // of the box
 };
 
 /// The bins of the grid planes, in each direction.
@@ -83,9 +82,10 @@ public:
 
     /// Takes the flags from all cells but those of regions that reach the sides of the box.
     void keepOutermost(std::vector<std::uint8_t>& flags) {
+        const std::vector<std::uint8_t> isAtSide = regionsAtSide();
         for (Label row = 0; row + 1 < toLabel(firstRun_.size()); ++row)
             for (Label r = firstRun_[index(row)]; r < firstRun_[index(row) + 1]; ++r) {
-                if (runs_[index(rootOf(r))].reachesSide) continue;
+                if (isAtSide[index(regions_.lowest(r))] != 0) continue;
                 const Run& run = runs_[index(r)];
                 std::fill(flags.begin() + row * cells_[0] + run.first,
                           flags.begin() + row * cells_[0] + run.last,
@@ -105,8 +105,8 @@ private:
             const auto stop = std::find(at, end, std::uint8_t{0});
             runs_.push_back({static_cast<Label>(at - begin),
                              static_cast<Label>(stop - begin),
-                             toLabel(runs_.size()),
                              isSideRow || at == begin || stop == end});
+            regions_.add();
             at = std::find(stop, end, std::uint8_t{1});
         }
     }
@@ -121,30 +121,22 @@ private:
             const Run& one = runs_[index(a)];
             const Run& other = runs_[index(b)];
             const bool isOneFirst = one.last < other.last;
-            if (one.first < other.last && other.first < one.last) join(a, b);
+            if (one.first < other.last && other.first < one.last) regions_.join(a, b);
             ++(isOneFirst ? a : b);
         }
     }
 
-    void join(Label a, Label b) {
-        a = rootOf(a);
-        b = rootOf(b);
-        if (a == b) return;
-        runs_[index(b)].parent = a;
-        runs_[index(a)].reachesSide |= runs_[index(b)].reachesSide;
-    }
-
-    Label rootOf(Label run) {
-        while (runs_[index(run)].parent != run) {
-            Label& parent = runs_[index(run)].parent;
-            parent = runs_[index(parent)].parent;
-            run = parent;
-        }
-        return run;
+    /// Flags the lowest runs of the regions that reach the sides of the box.
+    std::vector<std::uint8_t> regionsAtSide() {
+        std::vector<std::uint8_t> isAtSide(runs_.size(), 0);
+        for (Label r = 0; r < regions_.count(); ++r)
+            if (runs_[index(r)].isAtSide) isAtSide[index(regions_.lowest(r))] = 1;
+        return isAtSide;
     }
 
     Counts cells_;
     std::vector<Run> runs_;
+    DisjointSets regions_;        // of runs
     std::vector<Label> firstRun_; // of each row
 };
 

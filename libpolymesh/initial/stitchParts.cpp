@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/initial/stitchParts.h"
 
+#include "libpolymesh/base/disjointSets.h"
 #include "libpolymesh/base/error.h"
 #include "libpolymesh/initial/joinFaces.h"
 #include "libpolymesh/initial/partMisfits.h"
 #include "libpolymesh/surface/boxTree.h"
 
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace polymesh {
@@ -49,18 +49,12 @@ std::vector<BoundaryPoint> boundaryPoints(const PolyMesh& mesh,
 /// For each point the lowest of those that are one with it.
 std::vector<Label> coincidentPoints(const PolyMesh& mesh,
                                     const std::vector<BoundaryPoint>& points) {
-    std::vector<Label> merged(mesh.points.size());
-    std::iota(merged.begin(), merged.end(), Label{0});
+    DisjointSets merged(toLabel(mesh.points.size()));
     std::vector<Box> boxes;
     boxes.reserve(points.size());
     for (const BoundaryPoint& p : points)
         boxes.push_back({mesh.points[index(p.point)], mesh.points[index(p.point)]});
     const BoxTree tree(boxes);
-    const auto lowest = [&](Label p) {
-        while (merged[index(p)] != p)
-            p = merged[index(p)];
-        return p;
-    };
     for (const BoundaryPoint& p : points) {
         const Vec3& at = mesh.points[index(p.point)];
         const double reach = stitchDistance * p.size;
@@ -69,15 +63,10 @@ std::vector<Label> coincidentPoints(const PolyMesh& mesh,
             const BoundaryPoint& q = points[index(item)];
             if (q.part == p.part || q.point > p.point) return;
             const double limit = std::min(reach, stitchDistance * q.size);
-            if (norm(mesh.points[index(q.point)] - at) > limit) return;
-            const Label a = lowest(p.point);
-            const Label b = lowest(q.point);
-            merged[index(std::max(a, b))] = std::min(a, b);
+            if (norm(mesh.points[index(q.point)] - at) <= limit) merged.join(p.point, q.point);
         });
     }
-    for (Label& p : merged) // a lower point has its own already
-        p = merged[index(p)];
-    return merged;
+    return std::move(merged).lowestOfEach();
 }
 
 /// A boundary face by the points that it will have.
@@ -158,14 +147,10 @@ std::vector<FacePair> pairFaces(const PolyMesh& mesh,
 void refuseLoose(const PolyMesh& mesh,
                  const std::vector<MeshPart>& parts,
                  const std::vector<FacePair>& pairs) {
-    std::vector<Label> group(parts.size());
-    std::iota(group.begin(), group.end(), Label{0});
-    for (const auto& [a, b] : pairs) {
-        const Label left = group[index(partOf(parts, mesh.owner[index(a)]))];
-        const Label right = group[index(partOf(parts, mesh.owner[index(b)]))];
-        if (left == right) continue;
-        std::ranges::replace(group, std::max(left, right), std::min(left, right));
-    }
+    DisjointSets groups(toLabel(parts.size()));
+    for (const auto& [a, b] : pairs)
+        groups.join(partOf(parts, mesh.owner[index(a)]), partOf(parts, mesh.owner[index(b)]));
+    const std::vector<Label> group = std::move(groups).lowestOfEach();
     const auto loose = std::ranges::find_if(group, [](Label g) { return g != 0; });
     if (loose == group.end()) return;
     const auto part = static_cast<std::size_t>(loose - group.begin());

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/mesh/topology.h"
 
+#include "libpolymesh/base/disjointSets.h"
 #include "libpolymesh/base/freshList.h"
 #include "libpolymesh/base/parallel.h"
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace polymesh {
 
@@ -43,14 +45,6 @@ Rows<Label> uniqueRows(Rows<Label> rows) {
     rows.offsets.back() = out;
     rows.values.resize(index(out));
     return rows;
-}
-
-Label rootOf(std::vector<Label>& parent, Label cell) {
-    while (parent[index(cell)] != cell) {
-        parent[index(cell)] = parent[index(parent[index(cell)])];
-        cell = parent[index(cell)];
-    }
-    return cell;
 }
 
 } // namespace
@@ -139,20 +133,10 @@ std::vector<Edge> edges(const PolyMesh& mesh) {
 }
 
 std::vector<Label> cellRegions(const PolyMesh& mesh) {
-    std::vector<Label> parent(index(mesh.cellCount));
-    std::iota(parent.begin(), parent.end(), Label{0});
-    for (Label face = 0; face < mesh.internalFaceCount(); ++face) {
-        const Label a = rootOf(parent, mesh.owner[index(face)]);
-        const Label b = rootOf(parent, mesh.neighbour[index(face)]);
-        parent[index(std::max(a, b))] = std::min(a, b);
-    }
-    Label count = 0;
-    std::vector<Label> region(parent.size());
-    for (Label cell = 0; cell < mesh.cellCount; ++cell) {
-        const Label root = rootOf(parent, cell); // the lowest cell of the part
-        region[index(cell)] = root == cell ? count++ : region[index(root)];
-    }
-    return region;
+    DisjointSets regions(mesh.cellCount);
+    for (Label face = 0; face < mesh.internalFaceCount(); ++face)
+        regions.join(mesh.owner[index(face)], mesh.neighbour[index(face)]);
+    return std::move(regions).numbers().of;
 }
 
 bool isCoupledType(const std::string& patchType) {

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/quality/cellTopology.h"
 
+#include "libpolymesh/base/disjointSets.h"
+
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <tuple>
 
 namespace polymesh {
@@ -27,30 +28,9 @@ void forEachEdge(const std::vector<EdgeUse>& uses, Body&& body) {
     }
 }
 
-/// Disjoint sets of the faces of a cell, by position in its list of faces.
-struct FaceSets {
-    std::vector<std::size_t> parent;
-
-    explicit FaceSets(std::size_t count) : parent(count) {
-        std::iota(parent.begin(), parent.end(), std::size_t{0});
-    }
-
-    std::size_t root(std::size_t i) {
-        while (parent[i] != i)
-            i = parent[i] = parent[parent[i]];
-        return i;
-    }
-
-    void join(std::size_t a, std::size_t b) {
-        a = root(a);
-        b = root(b);
-        parent[std::max(a, b)] = std::min(a, b);
-    }
-};
-
-std::size_t positionOf(const EditCell& cell, Label face) {
-    return static_cast<std::size_t>(std::find(cell.faces.begin(), cell.faces.end(), face) -
-                                    cell.faces.begin());
+Label positionOf(const EditCell& cell, Label face) {
+    return static_cast<Label>(std::find(cell.faces.begin(), cell.faces.end(), face) -
+                              cell.faces.begin());
 }
 
 bool isOppositePair(const EditFace& a, const EditFace& b, Label cell) {
@@ -203,21 +183,22 @@ namespace {
 
 /// Joins parts that enclose a negative volume, which are voids, to the part with the largest
 /// volume; returns the lowest face of that.
-std::size_t keepVoids(MeshEditor& editor, Label c, FaceSets& sets) {
+Label keepVoids(MeshEditor& editor, Label c, DisjointSets& sets) {
     const auto& faces = editor.cell(c).faces;
     const Vec3 apex = editor.faceGeometry(faces[0]).centre;
-    std::vector<double> volumes(faces.size(), 0); // three times, of the part of each root
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-        const FaceGeometry& face = editor.faceGeometry(faces[i]);
+    std::vector<double> volumes(faces.size(), 0); // three times, at the lowest face of each part
+    for (Label i = 0; i < sets.count(); ++i) {
+        const FaceGeometry& face = editor.faceGeometry(faces[index(i)]);
         const double pyramid = dot(face.area, face.centre - apex);
-        volumes[sets.root(i)] += editor.face(faces[i]).owner == c ? pyramid : -pyramid;
+        volumes[index(sets.lowest(i))] +=
+            editor.face(faces[index(i)]).owner == c ? pyramid : -pyramid;
     }
-    const auto main = static_cast<std::size_t>(std::ranges::max_element(volumes) - volumes.begin());
+    const auto main = static_cast<Label>(std::ranges::max_element(volumes) - volumes.begin());
     const double size = editor.cell(c).size;
     const double roundOff = 1e-12 * size * size * size; // parts without size stay parts
-    for (std::size_t i = 0; i < faces.size(); ++i)
-        if (volumes[i] < -roundOff) sets.join(i, main);
-    return sets.root(main);
+    for (Label i = 0; i < sets.count(); ++i)
+        if (volumes[index(i)] < -roundOff) sets.join(i, main);
+    return sets.lowest(main);
 }
 
 } // namespace
@@ -225,8 +206,8 @@ std::size_t keepVoids(MeshEditor& editor, Label c, FaceSets& sets) {
 Label separateParts(MeshEditor& editor, Label c) {
     std::vector<EdgeUse> uses;
     collectEdgeUses(editor.mesh(), c, uses);
-    const auto faces = editor.cell(c).faces; // a copy: giveFace changes the list
-    FaceSets sets(faces.size());
+    const auto faces = editor.cell(c).faces;  // a copy: giveFace changes the list
+    DisjointSets sets(toLabel(faces.size())); // of places in that list
     forEachEdge(uses, [&](std::size_t first, std::size_t last) {
         if (last - first == 2)
             sets.join(positionOf(editor.cell(c), uses[first].face),
@@ -236,17 +217,18 @@ Label separateParts(MeshEditor& editor, Label c) {
                  wedgesRound(editor, c, {uses.data() + first, last - first}))
                 sets.join(positionOf(editor.cell(c), from), positionOf(editor.cell(c), to));
     });
-    const std::size_t main = keepVoids(editor, c, sets);
+    const Label main = keepVoids(editor, c, sets);
     std::vector<Label> cellOf(faces.size(), -1);
-    cellOf[main] = c;
+    cellOf[index(main)] = c;
     Label added = 0;
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-        const std::size_t root = sets.root(i);
-        if (root == i && i != main) {
-            cellOf[i] = editor.addPartOf(c);
+    for (Label i = 0; i < sets.count(); ++i) {
+        const Label lowest = sets.lowest(i);
+        if (lowest == i && i != main) {
+            cellOf[index(i)] = editor.addPartOf(c);
             ++added;
         }
-        if (cellOf[root] != c) editor.giveFace(faces[i], c, cellOf[root]);
+        const Label cell = cellOf[index(lowest)];
+        if (cell != c) editor.giveFace(faces[index(i)], c, cell);
     }
     return added;
 }

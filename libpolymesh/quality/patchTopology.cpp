@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/quality/patchTopology.h"
 
+#include "libpolymesh/base/disjointSets.h"
+
 #include <algorithm>
-#include <numeric>
 #include <tuple>
 
 namespace polymesh {
@@ -46,38 +47,20 @@ void makeUnique(std::vector<Label>& labels) {
     labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
 }
 
-class Unions {
-public:
-    explicit Unions(std::size_t count) : parent_(count) {
-        std::iota(parent_.begin(), parent_.end(), Label{0});
-    }
-
-    Label root(Label i) {
-        while (parent_[index(i)] != i)
-            i = parent_[index(i)] = parent_[index(parent_[index(i)])];
-        return i;
-    }
-
-    void join(Label i, Label j) { parent_[index(root(i))] = root(j); }
-
-private:
-    std::vector<Label> parent_;
-};
-
 /// Points of a closed surface at which its faces fall into several rings.
 std::vector<Label>
 sharedPoints(const PolyMesh& mesh, std::span<const Label> faces, const std::vector<Use>& uses) {
-    Unions corners(uses.size()); // as many corners as uses
+    DisjointSets corners(toLabel(uses.size())); // as many corners as uses
     for (std::size_t i = 1; i < uses.size(); ++i)
         if (uses[i].isSameEdge(uses[i - 1])) {
             corners.join(uses[i].lowCorner, uses[i - 1].lowCorner);
             corners.join(uses[i].highCorner, uses[i - 1].highCorner);
         }
-    std::vector<std::pair<Label, Label>> rings; // point, root
+    std::vector<std::pair<Label, Label>> rings; // point, lowest corner
     Label corner = 0;
     for (const Label face : faces)
         for (const Label point : mesh.faces[face])
-            rings.emplace_back(point, corners.root(corner++));
+            rings.emplace_back(point, corners.lowest(corner++));
     std::sort(rings.begin(), rings.end());
     rings.erase(std::unique(rings.begin(), rings.end()), rings.end());
     std::vector<Label> shared;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/refine/openCollapsed.h"
 
+#include "libpolymesh/base/disjointSets.h"
 #include "libpolymesh/base/error.h"
 
 #include <algorithm>
@@ -34,8 +35,7 @@ public:
 
     OpenedCells run() {
         findCollapsed();
-        parent_.resize(8 * cells_.size());
-        std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+        uses_.reset(toLabel(8 * cells_.size()));
         joinAcrossSides();
         return opened();
     }
@@ -101,23 +101,14 @@ private:
                 fits = fits && own[k] == other[across(k)];
             if (!fits) continue;
             for (std::size_t k = 0; k < 4; ++k)
-                unite(8 * index(a.cell) + sideLoops[a.side][k],
-                      8 * index(b.cell) + sideLoops[b.side][across(k)]);
+                uses_.join(use(a.cell, sideLoops[a.side][k]),
+                           use(b.cell, sideLoops[b.side][across(k)]));
             return;
         }
     }
 
-    std::size_t lowest(std::size_t use) {
-        while (parent_[use] != use)
-            use = parent_[use] = parent_[parent_[use]];
-        return use;
-    }
-
-    void unite(std::size_t a, std::size_t b) {
-        a = lowest(a);
-        b = lowest(b);
-        parent_[std::max(a, b)] = std::min(a, b);
-    }
+    /// A corner of one of the cells.
+    static Label use(Label cell, std::size_t corner) { return 8 * cell + toLabel(corner); }
 
     /// The first corners that are one point keep it, others get copies.
     OpenedCells opened() {
@@ -126,11 +117,11 @@ private:
         result.original.resize(isCollapsed_.size());
         std::iota(result.original.begin(), result.original.end(), Label{0});
         std::vector<char> isTaken(isCollapsed_.size(), 0);
-        std::vector<Label> labels(parent_.size(), -1);
-        for (std::size_t use = 0; use < parent_.size(); ++use) {
-            Label& corner = result.corners[index(cells_[use / 8])][use % 8];
+        std::vector<Label> labels(index(uses_.count()), -1);
+        for (Label use = 0; use < uses_.count(); ++use) {
+            Label& corner = result.corners[index(cells_[index(use / 8)])][index(use % 8)];
             if (isCollapsed_[index(corner)] == 0) continue;
-            Label& label = labels[lowest(use)];
+            Label& label = labels[index(uses_.lowest(use))];
             if (label < 0 && isTaken[index(corner)] == 0) {
                 label = corner;
                 isTaken[index(corner)] = 1;
@@ -144,9 +135,9 @@ private:
     }
 
     std::span<const Corners> corners_;
-    std::vector<char> isCollapsed_;   // points
-    std::vector<Label> cells_;        // that have a collapsed point
-    std::vector<std::size_t> parent_; // of each corner of these cells
+    std::vector<char> isCollapsed_; // points
+    std::vector<Label> cells_;      // that have a collapsed point
+    DisjointSets uses_;             // corners of these cells that stay one point, see use()
 };
 
 } // namespace

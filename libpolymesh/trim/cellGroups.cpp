@@ -53,14 +53,6 @@ std::uint64_t fingerprint(std::span<const Label> polygon) {
 
 } // namespace
 
-Label CellGroups::root(Label piece) {
-    while (parent_[index(piece)] != piece) {
-        parent_[index(piece)] = parent_[index(parent_[index(piece)])];
-        piece = parent_[index(piece)];
-    }
-    return piece;
-}
-
 void CellGroups::build(const CellInput& input, Label cell, std::vector<std::uint8_t>& levels) {
     cell_ = cell;
     levels_ = &levels;
@@ -79,14 +71,14 @@ void CellGroups::build(const CellInput& input, Label cell, std::vector<std::uint
 bool CellGroups::raiseBad() {
     bool isRaised = false;
     for (Label i = 0; i < pieceCount_; ++i) {
-        if (isBad_[index(root(i))] == 0 || levelOf(i) >= CellInput::lastLevel) continue;
+        if (isBad_[index(groupOf(i))] == 0 || levelOf(i) >= CellInput::lastLevel) continue;
         ++levelOf(i);
         isRaised = true;
     }
     return isRaised;
 }
 
-/// Whether the groups of roots a and b may be one; if so its cone is stored at the lower root.
+/// Whether groups a and b may be one; if so its cone is stored at the lower.
 bool CellGroups::fits(Label a, Label b, double cone) {
     const Cone& one = cones_[index(a)];
     const Cone& other = cones_[index(b)];
@@ -129,11 +121,9 @@ void CellGroups::listJoins(const CellInput& input) {
 void CellGroups::joinPieces(const CellInput& input) {
     const auto coneOf = [&](Label piece) { return input.levels[levelOf(piece)].cone; };
     bool haveCones = false;
-    parent_.resize(index(pieceCount_));
-    for (Label i = 0; i < pieceCount_; ++i) {
-        parent_[index(i)] = i;
+    groups_.reset(pieceCount_);
+    for (Label i = 0; i < pieceCount_; ++i)
         haveCones = haveCones || coneOf(i) < std::numbers::pi;
-    }
     if (haveCones) {
         cones_.clear();
         for (Label i = 0; i < pieceCount_; ++i) {
@@ -143,12 +133,12 @@ void CellGroups::joinPieces(const CellInput& input) {
         std::ranges::stable_sort(joins_, {}, &Join::sharpness);
     }
     for (const Join& join : joins_) {
-        const Label a = root(join.a);
-        const Label b = root(join.b);
+        const Label a = groupOf(join.a);
+        const Label b = groupOf(join.b);
         const double cone = coneOf(join.a);
         if (a == b || std::ranges::binary_search(cuts_, join.interval)) continue;
         if (cone < std::numbers::pi && !fits(a, b, cone)) continue;
-        parent_[index(std::max(a, b))] = std::min(a, b);
+        groups_.join(a, b);
     }
 }
 
@@ -156,7 +146,7 @@ void CellGroups::joinPieces(const CellInput& input) {
 bool CellGroups::cutAlongFeatures(const CellInput& input) {
     boost::container::small_vector<Label, 4> groups;
     for (const Join& feature : features_)
-        if (root(feature.a) == root(feature.b)) groups.push_back(root(feature.a));
+        if (groupOf(feature.a) == groupOf(feature.b)) groups.push_back(groupOf(feature.a));
     std::ranges::sort(groups);
     const std::size_t before = cuts_.size();
     for (std::size_t i = 0; i < groups.size(); ++i)
@@ -173,14 +163,14 @@ void CellGroups::cutGroup(const CellInput& input, Label group) {
     std::vector<Label> intervals; // beside net
     std::vector<Label> outline;
     for (Label i = 0; i < pieceCount_; ++i) {
-        if (root(i) != group) continue;
+        if (groupOf(i) != group) continue;
         const auto points = input.pieces.polygons[firstPiece_ + i];
         const auto pieceIntervals = intervalsOf(input.pieces, firstPiece_ + i);
         for (std::size_t k = 0; k < points.size(); ++k) {
             const Label to = points[(k + 1) % points.size()];
             const Label interval = pieceIntervals[k];
             const Label other = interval < 0 ? -1 : otherPiece(interval, i);
-            if (other < 0 || root(other) != group) {
+            if (other < 0 || groupOf(other) != group) {
                 outline.push_back(points[k]);
                 outline.push_back(to);
             } else if (i < other) {
@@ -217,12 +207,12 @@ void CellGroups::listOutlines(const CellInput& input) {
     for (Label i = 0; i < pieceCount_; ++i) {
         const auto points = input.pieces.polygons[firstPiece_ + i];
         const auto intervals = intervalsOf(input.pieces, firstPiece_ + i);
-        const Label group = root(i);
+        const Label group = groupOf(i);
         for (std::size_t k = 0; k < points.size(); ++k) {
             const Label to = points[(k + 1) % points.size()];
             if (intervals[k] >= 0) {
                 const Label other = otherPiece(intervals[k], i);
-                if (other >= 0 && root(other) == group) continue;
+                if (other >= 0 && groupOf(other) == group) continue;
                 borderEnds_.push_back(points[k]);
                 borderEnds_.push_back(to);
             }
@@ -256,8 +246,8 @@ void CellGroups::walkOutlines(const CellInput& input) {
         faces_.push_back(std::move(face));
     }
     for (Label i = 0; i < pieceCount_; ++i) {
-        faceOfPiece_[index(i)] = faceOfPiece_[index(root(i))];
-        if (faceOfPiece_[index(i)] < 0) isBad_[index(root(i))] = 1; // closed: no outline at all
+        faceOfPiece_[index(i)] = faceOfPiece_[index(groupOf(i))];
+        if (faceOfPiece_[index(i)] < 0) isBad_[index(groupOf(i))] = 1; // closed: no outline at all
     }
 }
 
@@ -391,7 +381,7 @@ void CellGroups::checkFaces(const CellInput& input,
     listPolygons(input, loops, kept);
     checkShells(input);
     for (Label i = 0; i < pieceCount_; ++i) {
-        const Label group = root(i);
+        const Label group = groupOf(i);
         const Label f = faceOfPiece_[index(i)];
         if (f < 0 || isBad_[index(group)] != 0) continue;
         if (deviation(input, i, faces_[index(f)].points) > tolerance) isBad_[index(group)] = 1;

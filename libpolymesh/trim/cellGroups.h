@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "libpolymesh/base/disjointSets.h"
 #include "libpolymesh/trim/bridges.h"
 #include "libpolymesh/trim/cellShells.h"
 #include "libpolymesh/trim/loops.h"
@@ -134,7 +135,8 @@ private:
         bool isUsed;
     };
 
-    Label root(Label piece);
+    /// The lowest piece of the group of one.
+    Label groupOf(Label piece) { return groups_.lowest(piece); }
 
     std::uint8_t& levelOf(Label piece) { return (*levels_)[index(firstPiece_ + piece)]; }
 
@@ -156,9 +158,9 @@ private:
     Label firstPiece_ = 0;
     Label pieceCount_ = 0;
     std::vector<std::uint8_t>* levels_ = nullptr;
-    std::vector<Label> parent_;       // of pieces, for joining
-    std::vector<std::uint8_t> isBad_; // of the groups' roots
-    std::vector<Cone> cones_;         // of the groups' roots
+    DisjointSets groups_;             // of pieces
+    std::vector<std::uint8_t> isBad_; // of the groups' lowest pieces
+    std::vector<Cone> cones_;         // of the groups' lowest pieces
     std::vector<Join> joins_;
     std::vector<Join> features_; // edges that must not have one group on both sides
     std::vector<Label> cuts_;    // sorted intervals that are borders to make features borders

@@ -8,14 +8,14 @@ namespace polymesh {
 
 void CellShells::clear() {
     uses_.clear();
-    parent_.clear();
+    shells_.reset(0);
     openPoint_ = -1;
     isSimple_ = true;
 }
 
 void CellShells::add(std::span<const Label> polygon, bool isTurned) {
     const Label number = polygonCount();
-    parent_.push_back(number);
+    shells_.add();
     for (std::size_t k = 0; k < polygon.size(); ++k) {
         const Label a = polygon[k];
         const Label b = polygon[(k + 1) % polygon.size()];
@@ -36,22 +36,12 @@ void CellShells::join() {
         int balance = 0;
         for (auto use = first; use != last; ++use) {
             balance += use->isForward ? 1 : -1;
-            const Label a = shellOf(first->polygon);
-            const Label b = shellOf(use->polygon);
-            parent_[index(std::max(a, b))] = std::min(a, b);
+            shells_.join(first->polygon, use->polygon);
         }
         if (balance != 0) openPoint_ = first->low;
         if (last - first != 2) isSimple_ = false;
         first = last;
     }
-}
-
-Label CellShells::shellOf(Label polygon) {
-    while (parent_[index(polygon)] != polygon) {
-        parent_[index(polygon)] = parent_[index(parent_[index(polygon)])];
-        polygon = parent_[index(polygon)];
-    }
-    return polygon;
 }
 
 } // namespace polymesh

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "libpolymesh/base/disjointSets.h"
 #include "libpolymesh/base/label.h"
 
 #include <span>
@@ -30,12 +31,12 @@ public:
     Label openPoint() const { return openPoint_; }
 
     /// The lowest polygon of the shell to which a polygon belongs.
-    Label shellOf(Label polygon);
+    Label shellOf(Label polygon) { return shells_.lowest(polygon); }
 
-    /// Makes the shell of polygon `from` a part of that of `into`.
-    void adopt(Label from, Label into) { parent_[index(shellOf(from))] = shellOf(into); }
+    /// Makes one shell of those of two polygons.
+    void unite(Label a, Label b) { shells_.join(a, b); }
 
-    Label polygonCount() const { return toLabel(parent_.size()); }
+    Label polygonCount() const { return shells_.count(); }
 
 private:
     struct EdgeUse {
@@ -46,7 +47,7 @@ private:
     };
 
     std::vector<EdgeUse> uses_;
-    std::vector<Label> parent_;
+    DisjointSets shells_; // of polygons
     Label openPoint_ = -1;
     bool isSimple_ = true;
 };

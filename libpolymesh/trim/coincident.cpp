@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/trim/coincident.h"
 
+#include "libpolymesh/base/disjointSets.h"
 #include "libpolymesh/base/parallel.h"
 #include "libpolymesh/geometry/predicates.h"
 #include "libpolymesh/trim/chains.h"
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 namespace polymesh {
 
@@ -26,11 +28,8 @@ public:
         : probe_(probe),
           cutter_(cutter),
           arrangement_(arrangement),
-          parent_(index(arrangement.firstVertex()) + cutter.surface->points.size()),
-          nodeOf_(cutter.surface->points.size(), -1) {
-        for (std::size_t i = 0; i < parent_.size(); ++i)
-            parent_[i] = toLabel(i);
-    }
+          sets_(arrangement.firstVertex() + cutter.surface->pointCount()),
+          nodeOf_(cutter.surface->points.size(), -1) {}
 
     std::vector<Label> run(std::span<const std::array<Label, 2>> joined) {
         for (Label e = 0; e < probe_.edgeCount(); ++e)
@@ -43,33 +42,23 @@ public:
         parallelFor(cutter_.surface->pointCount(), [&](Label v) { joinNode(v); });
         joinMeetings();
         for (const auto& [a, b] : joined)
-            join(a, b);
-        for (std::size_t i = 0; i < parent_.size(); ++i)
-            parent_[i] = root(toLabel(i));
-        return std::move(parent_);
+            sets_.join(a, b);
+        return standIns();
     }
 
 private:
-    Label root(Label p) {
-        while (parent_[index(p)] != p) {
-            parent_[index(p)] = parent_[index(parent_[index(p)])];
-            p = parent_[index(p)];
-        }
-        return p;
-    }
-
-    int precedence(Label p) const {
-        if (arrangement_.isNode(p)) return 0;
-        return p >= arrangement_.firstVertex() ? 1 : 2;
-    }
-
-    void join(Label a, Label b) {
-        a = root(a);
-        b = root(b);
-        if (a == b) return;
-        const bool isAFirst =
-            precedence(a) != precedence(b) ? precedence(a) < precedence(b) : a < b;
-        (isAFirst ? parent_[index(b)] : parent_[index(a)]) = isAFirst ? a : b;
+    /// For each point the one that stands for its set: the lowest, which is a node if there is
+    /// one, unless that is a crossing or a pierce and the set has a surface point.
+    std::vector<Label> standIns() {
+        std::vector<Label> lowest = std::move(sets_).lowestOfEach();
+        std::vector<Label> standIn = lowest; // for each lowest point
+        for (Label v = toLabel(lowest.size()) - 1; v >= arrangement_.firstVertex(); --v)
+            if (!arrangement_.isNode(lowest[index(v)])) standIn[index(lowest[index(v)])] = v;
+        parallelFor(toLabel(lowest.size()), [&](Label p) {
+            Label& point = lowest[index(p)];
+            point = standIn[index(point)];
+        });
+        return lowest;
     }
 
     Label vertex(Label v) const { return arrangement_.firstVertex() + v; }
@@ -87,7 +76,7 @@ private:
         const EdgeCrossing& crossing = arrangement_.crossings.values[index(x)];
         const Label point = arrangement_.firstCrossing() + x;
         if ((crossing.zeros & 3) != 0) {
-            join(point, probe_.edges[index(e)][(crossing.zeros & 1) != 0 ? 0 : 1]);
+            sets_.join(point, probe_.edges[index(e)][(crossing.zeros & 1) != 0 ? 0 : 1]);
             return;
         }
         const unsigned sides = crossing.zeros >> 2U;
@@ -97,11 +86,11 @@ private:
             const Label s = cutter_.edges.ofTriangle[index(crossing.triangle)][side];
             meetings_.push_back({e, firstRecord(s), point});
         } else if ((sides & 3) == 3) {
-            join(point, vertex(corners[1]));
+            sets_.join(point, vertex(corners[1]));
         } else if ((sides & 6) == 6) {
-            join(point, vertex(corners[2]));
+            sets_.join(point, vertex(corners[2]));
         } else {
-            join(point, vertex(corners[0]));
+            sets_.join(point, vertex(corners[0]));
         }
     }
 
@@ -118,14 +107,14 @@ private:
         const SurfaceEdge& edge = cutter_.edges.edges[index(pierce.edge)];
         const Label point = arrangement_.firstPierce() + x;
         const bool isAtEnd = (pierce.zeros & 3) != 0;
-        if (isAtEnd) join(point, vertex((pierce.zeros & 1) != 0 ? edge.start : edge.end));
+        if (isAtEnd) sets_.join(point, vertex((pierce.zeros & 1) != 0 ? edge.start : edge.end));
         const std::uint32_t sides = pierce.zeros >> 2U;
         if (sides == 0) return;
         const auto nodes = probe_.facetNodes[pierce.facet];
         if (std::popcount(sides) > 1)
             for (const Label n : nodes)
                 if (isOnEdge(n, edge)) {
-                    join(point, n);
+                    sets_.join(point, n);
                     return;
                 }
         if (!isAtEnd)
@@ -168,7 +157,7 @@ private:
 
     void joinMeetings() {
         for (std::size_t v = 0; v < nodeOf_.size(); ++v)
-            if (nodeOf_[v] >= 0) join(vertex(toLabel(v)), nodeOf_[v]);
+            if (nodeOf_[v] >= 0) sets_.join(vertex(toLabel(v)), nodeOf_[v]);
         std::ranges::sort(meetings_, [](const EdgeMeeting& a, const EdgeMeeting& b) {
             return a.meshEdge != b.meshEdge ? a.meshEdge < b.meshEdge
                                             : a.surfaceEdge < b.surfaceEdge;
@@ -176,13 +165,13 @@ private:
         for (std::size_t i = 1; i < meetings_.size(); ++i)
             if (meetings_[i].meshEdge == meetings_[i - 1].meshEdge &&
                 meetings_[i].surfaceEdge == meetings_[i - 1].surfaceEdge)
-                join(meetings_[i - 1].point, meetings_[i].point);
+                sets_.join(meetings_[i - 1].point, meetings_[i].point);
     }
 
     const Probe& probe_;
     const CuttingSurface& cutter_;
     const Arrangement& arrangement_;
-    std::vector<Label> parent_;
+    DisjointSets sets_;         // of points that are one
     std::vector<Label> nodeOf_; // surface point -> node at the same place, or -1
     std::vector<EdgeMeeting> meetings_;
 };

@@ -2,60 +2,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/trim/farCells.h"
 
+#include "libpolymesh/base/disjointSets.h"
 #include "libpolymesh/base/freshList.h"
 #include "libpolymesh/base/parallel.h"
 #include "libpolymesh/mesh/internalFaces.h"
 #include "libpolymesh/trim/nodes.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace polymesh {
 
 namespace {
 
-/// Regions of cells, each known by its lowest cell.
-class Regions {
-public:
-    explicit Regions(Label cellCount) : lower_(freshList<Label>(index(cellCount))) {
-        parallelFor(cellCount, [&](Label c) { lower_[index(c)] = c; });
-    }
-
-    void join(Label a, Label b) {
-        a = lowest(a);
-        b = lowest(b);
-        if (a != b) lower_[index(std::max(a, b))] = std::min(a, b);
-    }
-
-    /// Lets every cell point to its lowest one straight away.
-    void flatten() {
-        for (Label& lower : lower_)
-            lower = lower_[index(lower)]; // that one has been done
-    }
-
-    Label operator[](Label cell) const { return lower_[index(cell)]; }
-
-private:
-    Label lowest(Label cell) {
-        while (lower_[index(cell)] != cell) {
-            Label& lower = lower_[index(cell)];
-            lower = lower_[index(lower)];
-            cell = lower;
-        }
-        return cell;
-    }
-
-    std::vector<Label> lower_;
-};
+/// For each cell the lowest one of its region: far cells that hang together by faces.
+using Regions = std::vector<Label>;
 
 Regions joinFarCells(const PolyMesh& mesh, const Probe& probe) {
-    Regions regions(mesh.cellCount);
+    DisjointSets regions(mesh.cellCount);
     forInternalFaces(mesh, [&](Label f) {
         const Label a = mesh.owner[index(f)];
         const Label b = mesh.neighbour[index(f)];
         if (probe.localCell[index(a)] < 0 && probe.localCell[index(b)] < 0) regions.join(a, b);
     });
-    regions.flatten();
-    return regions;
+    return std::move(regions).lowestOfEach();
 }
 
 /// A point of the lowest cell of each region, as (cell, point).
@@ -63,7 +33,7 @@ std::vector<std::pair<Label, Label>>
 pointsOfRegions(const PolyMesh& mesh, const Probe& probe, const Regions& regions) {
     std::vector<std::uint8_t> isWanted = freshList<std::uint8_t>(index(mesh.cellCount));
     parallelFor(mesh.cellCount, [&](Label c) {
-        isWanted[index(c)] = probe.localCell[index(c)] < 0 && regions[c] == c;
+        isWanted[index(c)] = probe.localCell[index(c)] < 0 && regions[index(c)] == c;
     });
     auto left = std::ranges::count(isWanted, std::uint8_t{1});
     std::vector<std::pair<Label, Label>> points;
@@ -93,7 +63,8 @@ windFarCells(const PolyMesh& mesh, const Probe& probe, const CuttingSurface& cut
             static_cast<std::int8_t>(windingNumber(cutter, mesh.points[index(point)]) + shift);
     });
     parallelFor(mesh.cellCount, [&](Label c) {
-        if (regions[c] != c) winding[index(c)] = winding[index(regions[c])];
+        const Label lowest = regions[index(c)];
+        if (lowest != c) winding[index(c)] = winding[index(lowest)];
     });
     return winding;
 }

@@ -7,6 +7,7 @@
 #include "libpolymesh/trim/cellShells.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <numbers>
@@ -123,6 +124,7 @@ private:
         };
         std::vector<Label> voids;
         std::ranges::copy_if(roots, std::back_inserter(voids), isVoid);
+        std::vector<std::array<Label, 2>> adoptions; // all found before pieces change
         for (const Label v : voids) {
             const Vec3 at = middleOf(v);
             Label holder = -1;
@@ -134,8 +136,10 @@ private:
                     holder = r;
                 }
             }
-            if (holder >= 0) shells_.adopt(v, holder);
+            if (holder >= 0) adoptions.push_back({v, holder});
         }
+        for (const auto& [v, holder] : adoptions)
+            shells_.unite(v, holder);
     }
 
     /// Mean of the polygons' means: a point of a void that touches its holder lies on neither.

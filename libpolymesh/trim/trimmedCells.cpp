@@ -86,23 +86,29 @@ private:
         return volume;
     }
 
+    /// The angle under which the origin sees a triangle. Source: van Oosterom and Strackee (1983).
+    static double angleOf(const Vec3& a, const Vec3& b, const Vec3& c) {
+        const double below = norm(a) * norm(b) * norm(c) + dot(a, b) * norm(c) +
+                             dot(b, c) * norm(a) + dot(c, a) * norm(b);
+        return 2 * std::atan2(dot(a, cross(b, c)), below);
+    }
+
     /// The part of all directions from which a piece is seen from inside: 1 round a point inside
-    /// it, 0 round one outside. Source: van Oosterom and Strackee (1983) for the angle of a
-    /// triangle.
+    /// it, 0 round one outside. A face that is not plane is the fan round the mean of its points,
+    /// as where it is cut: a void may be near it.
     double windingOf(Label piece, const Vec3& at) {
         double sum = 0;
         for (Label i = 0; i < toLabel(polygons_.size()); ++i) {
             if (shells_.shellOf(i) != piece) continue;
             const auto polygon = points(polygons_[index(i)]);
             const double sign = polygons_[index(i)].isTurned ? -1 : 1;
-            for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
-                const Vec3 a = positions_[index(polygon[0])] - at;
-                const Vec3 b = positions_[index(polygon[k])] - at;
-                const Vec3 c = positions_[index(polygon[k + 1])] - at;
-                const double below = norm(a) * norm(b) * norm(c) + dot(a, b) * norm(c) +
-                                     dot(b, c) * norm(a) + dot(c, a) * norm(b);
-                sum += sign * 2 * std::atan2(dot(a, cross(b, c)), below);
-            }
+            Vec3 mean;
+            for (const Label p : polygon)
+                mean += (positions_[index(p)] - at) / static_cast<double>(polygon.size());
+            for (std::size_t k = 0; k < polygon.size(); ++k)
+                sum += sign * angleOf(mean,
+                                      positions_[index(polygon[k])] - at,
+                                      positions_[index(polygon[(k + 1) % polygon.size()])] - at);
         }
         return sum / (4 * std::numbers::pi);
     }

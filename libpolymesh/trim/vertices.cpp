@@ -85,23 +85,26 @@ void locateFromPierces(const Probe& probe, const CuttingSurface& cutter, Arrange
     }
 }
 
-/// Whether the moved surface point lies in the cell: parity of its facets along a ray.
+/// Whether the line between the moved surface points p and q passes through a triangle of the mesh.
+bool passesThrough(const std::array<Vec3, 3>& triangle, const Vec3& p, const Vec3& q) {
+    if (sideOfMeshPlane(triangle, p).sign == sideOfMeshPlane(triangle, q).sign) return false;
+    const int side = passingSide(triangle[0], triangle[1], p, q).sign;
+    return passingSide(triangle[1], triangle[2], p, q).sign == side &&
+           passingSide(triangle[2], triangle[0], p, q).sign == side;
+}
+
+/// Whether the moved surface point lies in the cell: parity of its facets along a ray. A facet that
+/// the surface does not come near need not be plane, but any triangles of it do: they have the same
+/// outline, and the point is not between them.
 bool isInCell(const Probe& probe, Label cell, const Vec3& p, double far) {
     const Vec3 q{far, p.y, p.z};
     bool isInside = false;
     for (const Label f : probe.cellFaces[cell])
         for (Label k = probe.facetOffsets[index(f)]; k < probe.facetOffsets[index(f) + 1]; ++k) {
             const auto nodes = probe.facetNodes[k];
-            const std::array<Vec3, 3> plane = facetPlane(probe, k);
-            if (sideOfMeshPlane(plane, p).sign == sideOfMeshPlane(plane, q).sign) continue;
-            int sum = 0;
-            for (std::size_t i = 0; i < nodes.size(); ++i)
-                sum += passingSide(probe.nodePoints[index(nodes[i])],
-                                   probe.nodePoints[index(nodes[(i + 1) % nodes.size()])],
-                                   p,
-                                   q)
-                           .sign;
-            if (std::abs(sum) == static_cast<int>(nodes.size())) isInside = !isInside;
+            const auto at = [&](std::size_t i) { return probe.nodePoints[index(nodes[i])]; };
+            for (std::size_t i = 1; i + 1 < nodes.size(); ++i)
+                if (passesThrough({at(0), at(i), at(i + 1)}, p, q)) isInside = !isInside;
         }
     return isInside;
 }

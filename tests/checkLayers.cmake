@@ -11,6 +11,7 @@ foreach(top IN ITEMS initial trim mps) # beside each other: none knows the other
   set(upTo_${top} ${upTo_quality} ${top})
 endforeach()
 set(upTo_refine ${upTo_initial} refine)
+set(upTo_trimCell ${upTo_trim} trimCell)
 set(upTo_shapeSplit ${upTo_mps} shapeSplit)
 set(upTo_reference ${upTo_surface} reference) # foreign meshers; only tools may include it
 

@@ -8,6 +8,7 @@
 #include "libpolymesh/base/error.h"
 #include "libpolymesh/mesh/validate.h"
 #include "libpolymesh/trim/adjustMesh.h"
+#include "libpolymesh/trimCell/cutByCells.h"
 #include "tools/toolMain.h"
 #include "tools/trimPrepare.h"
 #include "tools/trimReport.h"
@@ -34,7 +35,10 @@ const std::vector<Option> options{
      "TYPE",
      "OpenFOAM type of the surface's patches; default wall; patchTypes { REGION TYPE; } in the "
      "dictionary for single ones"},
-    {"algorithm", "NAME", "mesh (default), the only one in this version"},
+    {"algorithm",
+     "NAME",
+     "how the exact cut is found: mesh (default): nodes, edges and faces once for all cells; cell: "
+     "each cell by itself, slower; the mesh is the same"},
     {"adjust",
      "HOW",
      "nodes near the surface: none (default) stay; project: go onto it, corners and feature edges "
@@ -53,21 +57,10 @@ AdjustOptions adjustOptions(const Settings& settings) {
     return adjust;
 }
 
-/// Refuses by name what is planned but not there.
-void requireAvailable(const Settings& settings,
-                      const std::string& option,
-                      const std::vector<std::string>& words) {
-    const std::string given = settings.word(option, words, words.front());
-    require(given == words.front(),
-            "{}: {} is not available in this version; leave the option out, or say {}",
-            settings.place(option),
-            given,
-            words.front());
-}
-
 TrimOptions trimOptions(const Settings& settings) {
-    requireAvailable(settings, "algorithm", {"mesh", "cell"});
     TrimOptions trim;
+    if (settings.word("algorithm", {"mesh", "cell"}, "mesh") == "cell")
+        trim.findCut = findCutByCells;
     trim.adjust = adjustOptions(settings);
     trim.keep = settings.word("keep", {"inside", "outside"}, "inside") == "outside" ? Keep::outside
                                                                                     : Keep::inside;

@@ -153,12 +153,12 @@ Pieces makePieces(PolyMesh& mesh,
                   const TrimOptions& options,
                   std::span<const FidelityPlace> places) {
     const auto& [cutter, features] = featured;
-    auto& [probe, settled, cellWinding, arrangement, positions] = cut;
+    auto& [probe, settled, cellWinding, arrangement, positions, faces] = cut;
     const TriSurface& surface = *cutter.surface;
-    FaceLoops loops = walkFaces(probe, arrangement, positions);
+    FaceLoops loops = faces ? faces->loops : walkFaces(probe, arrangement, positions);
 
     options.onStage("cells");
-    const CellPieces pieces = cutTriangles(probe, cutter, arrangement);
+    const CellPieces pieces = faces ? faces->pieces : cutTriangles(probe, cutter, arrangement);
 
     options.onStage("simplify");
     const std::vector<double> cellSizes = probedCellSizes(probe);

@@ -6,9 +6,12 @@
 #include "libpolymesh/trim/adjustNodes.h"
 #include "libpolymesh/trim/arrangement.h"
 #include "libpolymesh/trim/editPart.h"
+#include "libpolymesh/trim/loops.h"
+#include "libpolymesh/trim/pieces.h"
 #include "libpolymesh/trim/trim.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,6 +23,12 @@ struct FeaturedSurface {
     const SurfaceFeatures& features;
 };
 
+/// What is left of the mesh's faces, and the parts of triangles in its cells, all exact.
+struct ExactFaces {
+    FaceLoops loops;
+    CellPieces pieces;
+};
+
 /// How the surface cuts the mesh, exactly; what is kept of that is decided afterwards.
 struct MeshCut {
     Probe probe;
@@ -27,6 +36,7 @@ struct MeshCut {
     std::vector<std::int8_t> cellWinding; // of cells outside the probe
     Arrangement arrangement;
     PointPositions positions;
+    std::optional<ExactFaces> faces{}; // where findCut has found them too
 };
 
 /// The pieces of the cells as the surface cuts them, before clean-up.

@@ -240,7 +240,8 @@ Cut cutMesh(PolyMesh mesh,
             const FeaturedSurface& surface,
             const AdjustedNodes& adjusted,
             const TrimOptions& options) {
-    MeshCut meshCut = findCut(mesh, surface, adjusted, options);
+    const CutFinder find = options.findCut ? options.findCut : findCut;
+    MeshCut meshCut = find(mesh, surface, adjusted, options);
     PieceMaker maker(mesh, meshCut, surface, options);
     EditPart openPart;
     CleanPieces clean;

@@ -13,6 +13,17 @@
 
 namespace polymesh {
 
+struct AdjustedNodes;
+struct FeaturedSurface;
+struct MeshCut;
+struct TrimOptions;
+
+/// A way to the exact cut of mesh and surface; cells far outside may go from the mesh.
+using CutFinder = MeshCut (*)(PolyMesh& mesh,
+                              const FeaturedSurface& surface,
+                              const AdjustedNodes& adjusted,
+                              const TrimOptions& options);
+
 /// Which side of the surface the mesh keeps.
 enum class Keep { inside, outside };
 
@@ -27,6 +38,8 @@ struct TrimOptions {
     double minVolume = 0.01;      // smaller cells are merged, fraction of the cell; 0: off
     AdjustOptions adjust;         // what is done to nodes near the surface beforehand
     bool mendsCells = true;       // split concave cells, repair what checkMesh would fail
+    /// Another way to the exact cut than findCut (cutCells.h), which is the default.
+    CutFinder findCut = nullptr;
     /// Patch type of each region; empty: wall for all.
     std::vector<std::string> regionTypes;
     /// Called with the name of each stage when it begins.

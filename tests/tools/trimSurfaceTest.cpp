@@ -214,12 +214,26 @@ TEST(TrimSurface, wrongOptionsAreRefused) {
     expectRefused(box, call + "-threads 0", {"-threads"});
 }
 
-TEST(TrimSurface, whatThisVersionHasNotIsRefusedByName) {
-    const TrimCase box;
-    const std::string call = "trimSurface -surface part.obj ";
-    expectRefused(box, call + "-algorithm cell", {"-algorithm", "cell is not available"});
-    expectRefused(box, call + "-algorithm cells", {"-algorithm", "nearest: cell"});
-    EXPECT_EQ(box.trim("-algorithm mesh -adjust none").status, 0);
+TEST(TrimSurface, bothAlgorithmsGiveTheSameBytes) {
+    const TrimCase box(join(cuboid({.1, .1, .1}, {.9, .9, .9}, "body"),
+                            test::inverted(test::sphere(2, 0.21, {0.6, 0.6, 0.6}))));
+    for (const char* options : {"", "-deviation 0 -minEdge 0 -minVolume 0", "-keep outside"}) {
+        std::array<std::string, 2> bytes;
+        for (std::size_t i = 0; i < 2; ++i) {
+            box.restoreMesh();
+            const std::string algorithm = i == 0 ? "mesh " : "cell ";
+            const ProgramResult result = box.trim("-algorithm " + algorithm + options);
+            EXPECT_EQ(result.status, 0) << result.err;
+            bytes[i] = box.meshBytes();
+        }
+        EXPECT_TRUE(bytes[0] == bytes[1]) << options;
+    }
+    box.restoreMesh();
+    box.write("system/trimSurfaceDict", "algorithm cell;\n");
+    expectRefused(
+        box, "trimSurface -surface part.obj -algorithm cells", {"-algorithm", "nearest: cell"});
+    EXPECT_EQ(box.trim().status, 0);
+    EXPECT_TRUE(contains(box.read("report.json"), "join cells"));
 }
 
 TEST(TrimSurface, openSurfaceIsRefusedWithNumberAndPlace) {

@@ -10,6 +10,7 @@
 #include "libpolymesh/quality/standardShape.h"
 #include "libpolymesh/reference/tetgen.h"
 #include "libpolymesh/surface/check.h"
+#include "tools/repairSurface.h"
 #include "tools/turnedText.h"
 
 #include <algorithm>
@@ -113,12 +114,18 @@ void sayCells(ToolRun& tool, const PolyMesh& mesh) {
 
 TriSurface readToCompare(ToolRun& tool, const std::string& file) {
     TriSurface surface = readSurface(file);
+    const std::string closed =
+        checkSurface(surface).openEdges.count > 0 ? closeCracks(tool, surface) : "";
     const OrientationReport turned = orientSurface(surface);
     const Finding open = checkSurface(surface).openEdges;
     tool.report["surface"]["turnedTriangles"] = turned.turnedTriangles;
     tool.report["surface"]["openEdges"] = open.count;
     tool.say("Comparing with the surface...");
     if (turned.turnedTriangles > 0) tool.say("    Turned {}", turnedText(turned));
+    if (!closed.empty()) tool.say("    Closed: {}", closed);
+    if (open.count == 0 && findSelfIntersections(surface, 1).count > 0)
+        if (const std::string united = uniteParts(tool, surface); !united.empty())
+            tool.say("    United: {}", united);
     if (open.count > 0)
         tool.say("    Open: {} edges without a partner, one at ({:.6g} {:.6g} {:.6g}); its volume "
                  "means nothing",

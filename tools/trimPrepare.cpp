@@ -7,6 +7,7 @@
 #include "libpolymesh/base/nearestWord.h"
 #include "libpolymesh/surface/check.h"
 #include "libpolymesh/surface/triangleBoxes.h"
+#include "tools/repairSurface.h"
 #include "tools/turnedText.h"
 
 #include <algorithm>
@@ -65,7 +66,8 @@ Vec3 meetingPlace(const TriSurface& surface, const std::array<Label, 2>& pair) {
     return middle;
 }
 
-void checkSelfIntersections(ToolRun& tool, const std::string& file, const TriSurface& surface) {
+/// Unites what overlaps, and says so.
+void mendSelfIntersections(ToolRun& tool, const std::string& file, TriSurface& surface) {
     const SelfIntersections found = findSelfIntersections(surface, placesShown);
     auto& report = tool.report["surface"]["selfIntersections"];
     report = {{"pairs", found.count}, {"places", nlohmann::ordered_json::array()}};
@@ -76,13 +78,14 @@ void checkSelfIntersections(ToolRun& tool, const std::string& file, const TriSur
         report["places"].push_back(toJson(place));
         places += (places.empty() ? "" : ", ") + text(place);
     }
-    warn(
-        "{}: the surface intersects itself: {} pairs of triangles, near {}; going on where inside "
-        "and outside are still defined, but cells at these places, and their volume, can be wrong; "
-        "better unite the parts that overlap",
-        file,
-        found.count,
-        places);
+    const std::string done = uniteParts(tool, surface);
+    warn("{}: the surface intersects itself: {} pairs of triangles, near {}; {}",
+         file,
+         found.count,
+         places,
+         done.empty() ? "they could not be united, so that cells at these places, and their "
+                        "volume, can be wrong; better unite the parts that overlap"
+                      : done);
 }
 
 /// What is unusual but does no harm.
@@ -150,7 +153,12 @@ std::vector<std::string> patchTypes(const ToolRun& tool, const TriSurface& surfa
 void prepareSurface(ToolRun& tool, const std::string& file, TriSurface& surface) {
     tool.report["surface"]["file"] = file;
     tool.report["surface"]["triangles"] = surface.triangleCount();
-    const SurfaceDefects defects = checkSurface(surface);
+    SurfaceDefects defects = checkSurface(surface);
+    if (defects.openEdges.count > 0)
+        if (const std::string done = closeCracks(tool, surface); !done.empty()) {
+            warn("{}: {}", file, done);
+            defects = checkSurface(surface);
+        }
     require(defects.openEdges.count == 0,
             "{}: the surface is open: {} edges without a partner, one at {}; close the gaps (or "
             "join points that should be one) and try again",
@@ -161,7 +169,7 @@ void prepareSurface(ToolRun& tool, const std::string& file, TriSurface& surface)
     if (turnOutward(tool, surface) || !defects.isClosed())
         requireOriented(file, checkSurface(surface).misorientedEdges);
     tool.clock.start("self-intersections");
-    checkSelfIntersections(tool, file, surface);
+    mendSelfIntersections(tool, file, surface);
 }
 
 bool checkPlace(ToolRun& tool,

@@ -17,9 +17,10 @@ namespace polymesh::tools {
 /// surface has not.
 std::vector<std::string> patchTypes(const ToolRun& tool, const TriSurface& surface);
 
-/// Makes the surface ready to trim with: turns it where it is inside out, and tells on stdout, on
-/// stderr (self-intersections) and in the report what it found. `file` is named in messages.
-/// Throws InputError for a surface that bounds nothing.
+/// Makes the surface ready to trim with: closes cracks of rounding, turns it where it is inside
+/// out, unites what overlaps, and tells on stdout, on stderr (cracks and self-intersections) and in
+/// the report what it found. `file` is named in messages. Throws InputError for a surface that
+/// bounds nothing.
 void prepareSurface(ToolRun& tool, const std::string& file, TriSurface& surface);
 
 /// Compares where the surface and the mesh, by its bounding box, are: warns of a surface that

@@ -120,7 +120,8 @@ Trimmed trimOrRefuse(ToolRun& tool,
     try {
         return trimValid(tool, std::move(mesh), surface, how);
     } catch (const WorkError& error) {
-        if (tool.report["surface"]["selfIntersections"]["pairs"] == 0) throw;
+        const auto& found = tool.report["surface"];
+        if (found["selfIntersections"]["pairs"] == 0 || found.contains("united")) throw;
         throw InputError(fmt::format("{}: the surface intersects itself (places above), so that no "
                                      "valid mesh can be made: {}; unite the parts that overlap",
                                      file,

@@ -53,12 +53,16 @@ using Polygon = boost::container::small_vector<Vec3, 8>;
 /// Whether the triangle's plane misses the box by more than rounding can hide.
 bool planeMisses(const TriSurface& surface, Label triangle, const Box& box) {
     const Vec3& a = surface.corner(triangle, 0);
-    const Vec3 n = cross(surface.corner(triangle, 1) - a, surface.corner(triangle, 2) - a);
+    const Vec3 ab = surface.corner(triangle, 1) - a;
+    const Vec3 ac = surface.corner(triangle, 2) - a;
+    const Vec3 n = cross(ab, ac);
     const Vec3 half = 0.5 * box.size();
     const Vec3 toCentre = box.centre() - a;
     const double reach = std::abs(n.x) * half.x + std::abs(n.y) * half.y + std::abs(n.z) * half.z;
     const double scale = std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
-    const double slack = 1e-9 * scale * (norm(toCentre) + norm(half));
+    // The normal of a sliver can be nothing but rounding, whatever its direction.
+    const double normalError = 1e-14 * norm(ab) * norm(ac);
+    const double slack = (1e-9 * scale + normalError) * (norm(toCentre) + norm(half));
     return std::abs(dot(n, toCentre)) > reach + slack;
 }
 

@@ -63,6 +63,24 @@ void expectExact(const PolyMesh& mesh, const TriSurface& surface) {
     EXPECT_NEAR((inside + outside) / volumeOf(mesh), 1, 1e-12);
 }
 
+TEST(Trim, sliversWhoseNormalIsOnlyRoundingAreNotLost) {
+    // Two corners of a triangle of length 12 are one unit in the last place apart.
+    const TriSurface surface =
+        surfaceOf({{-16.13588375717001, 0.6592335909088672, -32.72854074987478},
+                   {-11.464256198601213, 2.3090246706419224, -21.799035484436015},
+                   {-11.464256198601213, 2.309024670641922, -21.799035484436015},
+                   {-17.2, 4.1, -27.5},
+                   {-9.5, -1.2, -28.4}},
+                  {{0, 2, 1}, {0, 1, 3}, {0, 4, 2}, {3, 1, 2}, {3, 2, 4}, {0, 3, 4}});
+    for (const Label n : {3, 8, 13}) {
+        PolyMesh mesh = box(n, n, n, {10, 7, 13});
+        for (Vec3& p : mesh.points)
+            p += Vec3{-18.1, -2.03, -33.7};
+        const double volume = volumeOf(trimmed(mesh, surface, exact()));
+        EXPECT_NEAR(volume / measure(surface).volume, 1, 1e-12) << n;
+    }
+}
+
 TEST(Trim, boxAlignedWithGridGivesTheHexahedraDrawnByHand) {
     const PolyMesh mesh = box(4, 4, 4);
     const PolyMesh inside = trimmed(mesh, cuboid({.25, .25, .25}, {.75, .75, .75}), exact());

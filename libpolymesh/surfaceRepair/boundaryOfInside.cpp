@@ -39,6 +39,7 @@ std::vector<Sheet> findSheets(const ExactSoup& soup) {
         return corners;
     };
     std::vector<std::pair<Corners, Label>> keys;
+    keys.reserve(soup.triangles.size());
     for (Label t = 0; t < toLabel(soup.triangles.size()); ++t)
         keys.emplace_back(sorted(t), t);
     std::ranges::sort(keys);
@@ -60,19 +61,13 @@ std::vector<Sheet> findSheets(const ExactSoup& soup) {
 /// For each sheet the first of its patch: those reached across sides of just two sheets. As the
 /// surface is closed, these have the same step and orientation.
 std::vector<std::size_t> findPatches(const ExactSoup& soup, const std::vector<Sheet>& sheets) {
-    struct Side {
-        Label lower;
-        Label upper;
-        std::size_t sheet;
-        auto operator<=>(const Side&) const = default;
-    };
-
-    std::vector<Side> sides;
+    std::vector<std::pair<std::array<Label, 2>, std::size_t>> sides; // ends ascending, sheet
+    sides.reserve(3 * sheets.size());
     for (std::size_t s = 0; s < sheets.size(); ++s) {
         const Corners& corners = soup.triangles[index(sheets[s].triangle)];
         for (std::size_t i = 0; i < 3; ++i) {
             const auto [a, b] = std::minmax({corners[i], corners[(i + 1) % 3]});
-            sides.push_back({a, b, s});
+            sides.emplace_back(std::array{a, b}, s);
         }
     }
     std::ranges::sort(sides);
@@ -84,11 +79,10 @@ std::vector<std::size_t> findPatches(const ExactSoup& soup, const std::vector<Sh
         return s;
     };
     for (std::size_t first = 0, last = 0; first < sides.size(); first = last) {
-        for (last = first; last < sides.size() && sides[last].lower == sides[first].lower &&
-                           sides[last].upper == sides[first].upper;)
+        for (last = first; last < sides.size() && sides[last].first == sides[first].first;)
             ++last;
         if (last - first != 2) continue;
-        const auto [a, b] = std::minmax({find(sides[first].sheet), find(sides[first + 1].sheet)});
+        const auto [a, b] = std::minmax({find(sides[first].second), find(sides[first + 1].second)});
         parent[b] = a;
     }
     for (std::size_t s = 0; s < sheets.size(); ++s)

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/surfaceRepair/boundaryOfInside.h"
 
+#include "libpolymesh/base/disjointSets.h"
 #include "libpolymesh/base/error.h"
 #include "libpolymesh/surface/boxTree.h"
 #include "libpolymesh/surface/coplanar.h"
 #include "libpolymesh/surface/triangleBoxes.h"
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -58,36 +58,26 @@ std::vector<Sheet> findSheets(const ExactSoup& soup) {
     return sheets;
 }
 
-/// For each sheet the first of its patch: those reached across sides of just two sheets. As the
-/// surface is closed, these have the same step and orientation.
-std::vector<std::size_t> findPatches(const ExactSoup& soup, const std::vector<Sheet>& sheets) {
-    std::vector<std::pair<std::array<Label, 2>, std::size_t>> sides; // ends ascending, sheet
+/// Patches of sheets: those reached across sides of just two sheets. As the surface is closed, the
+/// sheets of a patch have the same step and orientation.
+DisjointSets findPatches(const ExactSoup& soup, const std::vector<Sheet>& sheets) {
+    std::vector<std::pair<std::array<Label, 2>, Label>> sides; // ends ascending, sheet
     sides.reserve(3 * sheets.size());
     for (std::size_t s = 0; s < sheets.size(); ++s) {
         const Corners& corners = soup.triangles[index(sheets[s].triangle)];
         for (std::size_t i = 0; i < 3; ++i) {
             const auto [a, b] = std::minmax({corners[i], corners[(i + 1) % 3]});
-            sides.emplace_back(std::array{a, b}, s);
+            sides.emplace_back(std::array{a, b}, toLabel(s));
         }
     }
     std::ranges::sort(sides);
-    std::vector<std::size_t> parent(sheets.size());
-    std::iota(parent.begin(), parent.end(), std::size_t{0});
-    const auto find = [&](std::size_t s) {
-        while (parent[s] != s)
-            s = parent[s] = parent[parent[s]];
-        return s;
-    };
+    DisjointSets patches(toLabel(sheets.size()));
     for (std::size_t first = 0, last = 0; first < sides.size(); first = last) {
         for (last = first; last < sides.size() && sides[last].first == sides[first].first;)
             ++last;
-        if (last - first != 2) continue;
-        const auto [a, b] = std::minmax({find(sides[first].second), find(sides[first + 1].second)});
-        parent[b] = a;
+        if (last - first == 2) patches.join(sides[first].second, sides[first + 1].second);
     }
-    for (std::size_t s = 0; s < sheets.size(); ++s)
-        parent[s] = find(s);
-    return parent;
+    return patches;
 }
 
 /// Winding numbers of a closed surface by rays along an axis.
@@ -161,16 +151,18 @@ private:
 
 std::vector<Label> boundaryOfInside(const TriSurface& surface, const ExactSoup& soup) {
     const std::vector<Sheet> sheets = findSheets(soup);
-    const std::vector<std::size_t> patches = findPatches(soup, sheets);
+    DisjointSets patches = findPatches(soup, sheets);
     const WindingNumbers windings(surface);
     std::vector<char> isBoundary(sheets.size(), 0);
     std::vector<Label> boundary;
     for (std::size_t s = 0; s < sheets.size(); ++s) {
-        if (patches[s] == s) {
-            const int inFront = windings.inFrontOf(soup, sheets[s].triangle);
-            isBoundary[s] = inFront < 1 && inFront + sheets[s].step >= 1 ? 1 : 0;
+        const Sheet& sheet = sheets[s];
+        const std::size_t first = index(patches.lowest(toLabel(s)));
+        if (first == s) {
+            const int inFront = windings.inFrontOf(soup, sheet.triangle);
+            isBoundary[s] = inFront < 1 && inFront + sheet.step >= 1 ? 1 : 0;
         }
-        if (isBoundary[patches[s]] != 0) boundary.push_back(sheets[s].triangle);
+        if (isBoundary[first] != 0) boundary.push_back(sheet.triangle);
     }
     return boundary;
 }

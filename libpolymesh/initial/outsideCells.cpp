@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <utility>
 
 namespace polymesh {
@@ -87,9 +88,8 @@ public:
             for (Label r = firstRun_[index(row)]; r < firstRun_[index(row) + 1]; ++r) {
                 if (isAtSide[index(regions_.lowest(r))] != 0) continue;
                 const Run& run = runs_[index(r)];
-                std::fill(flags.begin() + row * cells_[0] + run.first,
-                          flags.begin() + row * cells_[0] + run.last,
-                          std::uint8_t{0});
+                const auto begin = flags.begin() + std::ptrdiff_t{row} * cells_[0];
+                std::fill(begin + run.first, begin + run.last, std::uint8_t{0});
             }
     }
 

@@ -4,6 +4,7 @@
 
 #include "editMeshes.h"
 #include "libpolymesh/quality/editQuality.h"
+#include "libpolymesh/quality/mergeCells.h"
 #include "libpolymesh/quality/validateEdit.h"
 
 #include <gtest/gtest.h>
@@ -102,6 +103,47 @@ TEST(CollapseShortEdges, neverMovesAFixedPoint) {
             EXPECT_TRUE(usedAfter[p]);
         }
     }
+}
+
+/// One cell under 9 x 9 faces of the boundary, which are more than collapses judge a cell by. Two
+/// points lie close beside another, which is moved: see below.
+struct ManyFacedCell {
+    EditMesh mesh = test::boxOfHexes({9, 9, 2}, 1.0);
+    Label moving = pointAt(4, 4);
+    Label corner = pointAt(4, 3);
+
+    ManyFacedCell() {
+        MeshEditor editor(mesh);
+        for (Label c = 1; c < 81; ++c)
+            EXPECT_TRUE(mergeCells(editor, c, 0));
+        test::removeCells(mesh, 6, [](const Vec3& centre) { return centre.z > 1; });
+        test::rankPoints(mesh);
+        mesh.ranks[index(corner)] = PointRank::corner;
+        place(corner, {-0.04, -0.02, 0});
+        place(pointAt(3, 4), {-0.02, 0, 0});
+        place(pointAt(3, 3), {-1, -0.1, 0});
+    }
+
+    /// Of the grid of points between the two layers of cells.
+    static Label pointAt(Label i, Label j) { return i + 10 * (j + 10); }
+
+    void place(Label p, const Vec3& fromMoving) {
+        mesh.points[index(p)] = mesh.points[index(moving)] + fromMoving;
+    }
+
+    Label collapse() {
+        MeshEditor editor(mesh);
+        EXPECT_GT(editor.cell(0).faces.size(), 64U);
+        return collapseBestWay(editor, moving, corner);
+    }
+};
+
+TEST(CollapseShortEdges, turnsNoFaceOfACellWithManyFaces) {
+    ManyFacedCell wide;
+    EXPECT_EQ(wide.collapse(), wide.moving);
+    ManyFacedCell thin; // the corner is beyond the far side of a face of the moving point
+    thin.place(ManyFacedCell::pointAt(3, 5), {-0.011, 0.5, 0});
+    EXPECT_EQ(thin.collapse(), -1);
 }
 
 TEST(CollapseShortEdges, letsACellVanish) {

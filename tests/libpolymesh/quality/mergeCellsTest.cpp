@@ -10,6 +10,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+
 namespace polymesh {
 
 namespace {
@@ -105,6 +108,33 @@ TEST(MergeSmallCells, isOffAtZeroAndLeavesFrozenCellsAlone) {
     EXPECT_EQ(mergeSmallCells(mesh, 0.1), 1);
     EXPECT_EQ(test::liveFaces(mesh), 6);
     EXPECT_EQ(validateEdit(mesh), Defects());
+}
+
+/// Three cells in a row, with these heights at their four cross sections. Returns the partner with
+/// which the one in the middle is merged.
+Label partnerOfMiddle(const std::array<double, 4>& heights) {
+    EditMesh mesh = test::boxOfHexes({3, 1, 1}, 1.0);
+    for (Vec3& p : mesh.points)
+        p.y *= heights[static_cast<std::size_t>(p.x)];
+    MeshEditor editor(mesh);
+    return mergeIntoBestPartner(editor, 1);
+}
+
+TEST(MergeIntoBestPartner, makesTheLeastConcaveCell) {
+    // The first has the larger common face with the one in the middle; slopes of the top in
+    // degrees.
+    EXPECT_EQ(partnerOfMiddle({1.4, 0.8, 0.75, 0.9}), 2) << "28 concave against 11";
+    EXPECT_EQ(partnerOfMiddle({1.0, 0.8, 0.75, 1.2}), 0) << "8 concave against 27";
+    EXPECT_EQ(partnerOfMiddle({1.4, 0.8, 0.75, 0.7}), 2) << "28 concave against none";
+    EXPECT_EQ(partnerOfMiddle({0.8, 0.8, 0.75, 0.65}), 0) << "both convex";
+    EXPECT_EQ(partnerOfMiddle({0.9, 0.75, 0.8, 1.4}), 0) << "11 concave against 28";
+}
+
+TEST(MergeIntoBestPartner, ofEqualsTakesTheLargestCommonFace) {
+    EXPECT_EQ(partnerOfMiddle({1.15, 0.8, 0.8, 1.15}), 0) << "as large: the lower label";
+    const double slope = std::atan(-0.05);
+    const auto rise = [&](double turn) { return std::tan(slope + turn); };
+    EXPECT_EQ(partnerOfMiddle({0.8 - rise(-0.3), 0.8, 0.75, 0.75 + rise(0.3)}), 0);
 }
 
 TEST(MergeFaces, makesOneFaceOfCoplanarOnes) {

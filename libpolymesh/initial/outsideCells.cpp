@@ -99,7 +99,7 @@ private:
         const Label j = row % ny;
         const Label k = row / ny;
         const bool isSideRow = j == 0 || j + 1 == ny || k == 0 || k + 1 == nz;
-        const auto begin = flags.begin() + row * nx;
+        const auto begin = flags.begin() + std::ptrdiff_t{row} * nx;
         const auto end = begin + nx;
         for (auto at = std::find(begin, end, std::uint8_t{1}); at != end;) {
             const auto stop = std::find(at, end, std::uint8_t{0});

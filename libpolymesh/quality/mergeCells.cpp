@@ -12,7 +12,6 @@
 #include <array>
 #include <deque>
 #include <iterator>
-#include <optional>
 
 namespace polymesh {
 
@@ -64,7 +63,7 @@ bool wouldBeHuge(MeshEditor& editor, Label from, Label into) {
 }
 
 /// The two cells and those that have faces with both, ascending: the cells whose shape a merge
-/// usually changes.
+/// changes.
 std::vector<Label> commonRegion(const MeshEditor& editor, Label a, Label b) {
     std::vector<Label> region{a, b};
     const std::array<Label, 1> one{a};
@@ -77,37 +76,14 @@ std::vector<Label> commonRegion(const MeshEditor& editor, Label a, Label b) {
     return region;
 }
 
-/// Merges a cell into another; true if that makes none of the cells in the region worse. Nothing
-/// when it has changed the shape of others: these are in the region then.
-std::optional<bool>
-tryMerge(MeshEditor& editor, Label from, Label into, std::vector<Label>& region) {
+/// Merges a cell into another; true if that makes no cell round them worse. Those beyond the common
+/// region have at most lost points in the middle of straight edges.
+bool mergesWell(MeshEditor& editor, Label from, Label into) {
+    const std::vector<Label> region = commonRegion(editor, from, into);
     const Badness before = badnessOf(editor, region);
     const MeshEditor::Mark mark = editor.mark();
-    if (!mergeCells(editor, from, into)) return false;
-    const std::vector<Label> reshaped = editor.reshapedSince(mark);
-    const std::size_t known = region.size();
-    for (const Label c : reshaped)
-        if (!editor.isFrozen(c) &&
-            !std::binary_search(
-                region.begin(), region.begin() + static_cast<std::ptrdiff_t>(known), c))
-            region.push_back(c);
-    if (region.size() > known) {
-        sortUnique(region);
-        return std::nullopt;
-    }
-    return allBalls(editor, reshaped) && isNoWorse(badnessOf(editor, region), before);
-}
-
-/// Merges a cell into another; true if that makes no cell round them worse.
-bool mergesWell(MeshEditor& editor, Label from, Label into) {
-    std::vector<Label> region = commonRegion(editor, from, into);
-    const MeshEditor::Mark mark = editor.mark();
-    std::optional<bool> isGood = tryMerge(editor, from, into, region);
-    while (!isGood) {
-        editor.undoTo(mark);
-        isGood = tryMerge(editor, from, into, region);
-    }
-    return *isGood;
+    return mergeCells(editor, from, into) && allBalls(editor, editor.reshapedSince(mark)) &&
+           isNoWorse(badnessOf(editor, region), before);
 }
 
 /// How far the edges of a cell turn the wrong way, in all [rad].

@@ -57,6 +57,16 @@ TEST(PinchIntoEdge, thinPrismGoesAndTheVolumeStays) {
     EXPECT_NEAR(test::totalVolume(mesh), 1.0, 1e-12);
 }
 
+TEST(PinchIntoEdge, thePointGoesToTheEdgeUnlessItsRankIsHigher) {
+    for (const PointRank rank : {PointRank::surface, PointRank::feature, PointRank::corner}) {
+        EditMesh mesh = cubeWithThinPrism();
+        mesh.ranks[2] = rank;
+        MeshEditor editor(mesh);
+        ASSERT_TRUE(pinchIntoEdge(editor, 2, 0, 1)); // an edge between two patches: a feature
+        EXPECT_EQ(editor.facesOfPoint(2).empty(), rank <= PointRank::feature);
+    }
+}
+
 TEST(PinchIntoEdge, canBeTakenBack) {
     EditMesh mesh = cubeWithThinPrism();
     MeshEditor editor(mesh);
@@ -93,6 +103,13 @@ TEST(MaySlide, byRank) {
     EXPECT_TRUE(maySlide(editor, 2, 0));  // on the surface, along an edge of the surface
     EXPECT_FALSE(maySlide(editor, 2, 7)); // through the inside
     EXPECT_FALSE(maySlide(editor, 4, 3)); // a corner stays
+}
+
+TEST(MaySlide, pointsOfFeaturesAlongThese) {
+    EditMesh mesh = test::boxOfHexes({3, 3, 3}, 1.0);
+    MeshEditor editor(mesh);
+    EXPECT_TRUE(maySlide(editor, 1, 2));      // (1 0 0) to (2 0 0)
+    EXPECT_FALSE(maySlide(editor, 1, 1 + 4)); // to (1 1 0), across the side
 }
 
 } // namespace

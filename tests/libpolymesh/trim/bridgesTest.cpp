@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <initializer_list>
 #include <map>
 #include <numbers>
 #include <set>
@@ -27,6 +29,35 @@ public:
                              (y + radius * std::sin(angle)) * v + offset);
         }
         return loop;
+    }
+
+    LoopPolygon polygon(std::initializer_list<std::array<double, 2>> corners) {
+        LoopPolygon loop;
+        for (const auto& [x, y] : corners) {
+            loop.push_back(toLabel(points.size()));
+            points.push_back(x * u + y * v + offset);
+        }
+        return loop;
+    }
+
+    /// Whether edges of a loop cross each other.
+    bool crossesItself(const LoopPolygon& loop) const {
+        const auto turn = [&](Label a, Label b, Label c) {
+            return dot(
+                cross(points[index(b)] - points[index(a)], points[index(c)] - points[index(a)]),
+                normal);
+        };
+        const std::size_t n = loop.size();
+        for (std::size_t i = 0; i < n; ++i)
+            for (std::size_t j = i + 1; j < n; ++j) {
+                const Label a = loop[i];
+                const Label b = loop[(i + 1) % n];
+                const Label c = loop[j];
+                const Label d = loop[(j + 1) % n];
+                if (turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0)
+                    return true;
+            }
+        return false;
     }
 
     double area(const LoopPolygon& loop) const {
@@ -89,6 +120,7 @@ Opened open(const Face& face,
         opened += face.area(polygon);
         EXPECT_GT(face.area(polygon), 0);
         EXPECT_FALSE(hasRepeatedPoint(polygon));
+        EXPECT_FALSE(face.crossesItself(polygon));
     }
     EXPECT_NEAR(opened, area, 1e-12);
     EXPECT_EQ(netEdges(result.polygons), netEdges(all));
@@ -110,6 +142,21 @@ TEST(OpenHoles, oneHoleMakesTwoPolygons) {
     EXPECT_EQ(result.polygons.size(), 2U);
     EXPECT_EQ(neededOf(result, outline), 2U);
     EXPECT_GE(neededOf(result, hole), 3U); // two bridges, and it stays open
+}
+
+TEST(OpenHoles, noBridgeCrossesTheHole) {
+    Face face; // a dent of the outline is closest to the point of the hole behind its long edge
+    const LoopPolygon outline = face.polygon({{-3, -3}, {3, -3}, {3, 3}, {0, 0.5}, {-3, 3}});
+    const LoopPolygon hole = face.polygon({{-2, 0}, {2, 0}, {0, -0.5}});
+    open(face, {outline}, {hole}, true);
+}
+
+TEST(OpenHoles, bridgesDoNotCrossEachOther) {
+    Face face; // without the first bridge, (0 1) to (0 0), the best one is (1 1) to (-1 0)
+    const LoopPolygon outline =
+        face.polygon({{-6, -6}, {12, -6}, {12, 1}, {1, 1}, {0, 1}, {-6, 1}});
+    const LoopPolygon hole = face.polygon({{-1, 0}, {0, 0}, {5, 0}, {5, -1}, {-1, -1}});
+    open(face, {outline}, {hole}, true);
 }
 
 TEST(OpenHoles, severalHolesAreEachOpened) {

@@ -7,6 +7,7 @@
 #include "formats/surfaceIo.h"
 #include "libpolymesh/mps/makeDivisible.h"
 #include "libpolymesh/mps/projectBoundary.h"
+#include "libpolymesh/mps/relaxPoints.h"
 #include "libpolymesh/reference/tetgen.h"
 #include "libpolymesh/surface/orient.h"
 #include "tools/mpsSplitReport.h"
@@ -51,13 +52,23 @@ bool keepsHexahedra(const ToolRun& tool, const PolyMesh& mesh) {
     return true;
 }
 
-/// Divides as planned, all cells or what is no hexahedron; the latter changes the figures too.
-PolyMesh divideAsAsked(Divisible& divisible, bool keepsHexahedra, MpsFigures& figures) {
-    if (!keepsHexahedra) return divide(divisible.mesh, std::move(divisible.plan));
+/// Divides as planned, all cells or what is no hexahedron, moves new points for the sake of
+/// quality, and puts down the figures.
+PolyMesh
+divideAsAsked(ToolRun& tool, Divisible& divisible, bool keepsHexahedra, MpsFigures& figures) {
+    if (!keepsHexahedra) {
+        const std::vector<char> isGood = partsOfBoxes(divisible.mesh, divisible.plan);
+        PolyMesh result = divide(divisible.mesh, std::move(divisible.plan));
+        tool.clock.start("relax");
+        figures.relaxed = relaxPoints(result, divisible.mesh.pointCount(), isGood);
+        return result;
+    }
     const std::vector<Fate> fates = fatesOf(divisible.mesh, divisible.plan, divisible.bends);
     const PolyMesh divided = divide(divisible.mesh, std::move(divisible.plan));
     PartlyDivided partly = keepHexahedra(divisible, fates, divided);
     takeOnlyDivided(divisible, fates, partly, figures);
+    tool.clock.start("relax");
+    figures.relaxed = relaxPoints(partly.mesh, divisible.mesh.pointCount());
     return std::move(partly.mesh);
 }
 
@@ -78,7 +89,7 @@ ExitCode run(ToolRun& tool) {
     project(tool, divisible);
     MpsFigures figures = figuresOf(undivided, divisible);
     tool.clock.start("divide");
-    PolyMesh result = divideAsAsked(divisible, keeps, figures);
+    PolyMesh result = divideAsAsked(tool, divisible, keeps, figures);
     const PolyMesh sets = removeSets(travelling, result);
     tool.clock.start("validate");
     requireConformal(result, figures);

@@ -109,6 +109,7 @@ MpsFigures figuresOf(const UndividedMesh& undivided, const Divisible& divisible)
                        {plan.hexahedra, plan.pyramids},
                        invertedOf(divisible.mesh, plan),
                        {},
+                       {},
                        {}};
     for (const Label cell : plan.inverted)
         for (Label part = plan.firstPart[index(cell)]; part < plan.firstPart[index(cell) + 1];
@@ -224,6 +225,18 @@ void reportPart(ToolRun& tool, const PartFigures& part) {
     tool.report["layerTetrahedra"] = part.tetrahedra;
 }
 
+void reportRelaxed(ToolRun& tool, const RelaxCounts& counts) {
+    tool.report["beyondLimits"] = counts.offenders;
+    tool.report["beyondLimitsLeft"] = counts.left;
+    tool.report["movedForQuality"] = counts.moved;
+    if (counts.offenders == 0) return;
+    tool.say("quality    {} new points moved for the sake of {} cells and faces that OpenFOAM's "
+             "checkMesh finds too stretched or skew; {} are left",
+             counts.moved,
+             counts.offenders,
+             counts.left);
+}
+
 } // namespace
 
 bool reportSplit(ToolRun& tool, const MpsFigures& figures, const PolyMesh& result) {
@@ -254,6 +267,7 @@ bool reportSplit(ToolRun& tool, const MpsFigures& figures, const PolyMesh& resul
     tool.report["volume"] = volume;
     tool.report["volumeError"] = volume / figures.undivided.volume - 1;
     reportHelp(tool, figures.counts);
+    reportRelaxed(tool, figures.relaxed);
     reportInverted(tool, figures);
     return figures.inverted.empty();
 }

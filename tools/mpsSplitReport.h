@@ -5,6 +5,7 @@
 #include "libpolymesh/mps/keepHexahedra.h"
 #include "libpolymesh/mps/makeDivisible.h"
 #include "libpolymesh/mps/projectBoundary.h"
+#include "libpolymesh/mps/relaxPoints.h"
 #include "tools/toolMain.h"
 
 #include <vector>
@@ -42,6 +43,7 @@ struct MpsFigures {
     std::vector<InvertedCell> inverted; // by Jacobian, the worst first
     std::vector<Label> invertedParts;   // cells of the divided mesh, ascending
     PartFigures part;
+    RelaxCounts relaxed;
 };
 
 /// Cost: linear.

@@ -41,34 +41,61 @@ std::array<Label, 4> edgeQuad(const PartPoints& parts, const Corner& c) {
             parts.ofFace(parts.cell.corner(c.across).face)};
 }
 
+/// The points of the hexahedron of a node, but for that of the cell. The out edge of corner k is
+/// the in edge of the corner before it round the node.
+struct HexPoints {
+    Label node;
+    std::array<Label, 3> in;   // middles of the in edges of the three corners
+    std::array<Label, 3> face; // their faces
+
+    PartCorner atNode() const { return {node, in[2], in[1], in[0]}; }
+
+    PartCorner atEdge(std::size_t k) const { return {in[k], face[k], node, face[(k + 1) % 3]}; }
+
+    PartCorner atFace(std::size_t k, Label centre) const {
+        return {face[k], in[(k + 2) % 3], in[k], centre};
+    }
+
+    PartCorner atCentre(Label centre) const { return {centre, face[0], face[1], face[2]}; }
+};
+
+HexPoints hexPoints(const PartPoints& parts, const CellCorners::Node& node) {
+    HexPoints points{parts.cell.corner(node.firstCorner).point, {}, {}};
+    int i = node.firstCorner;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Corner& c = parts.cell.corner(i);
+        points.in[k] = parts.middle(c.inEdge);
+        points.face[k] = parts.ofFace(c.face);
+        i = c.across;
+    }
+    return points;
+}
+
 /// Calls use(corner) for the 8 corners of the hexahedron of a node until it returns true.
 template<class Use>
 bool anyHexCorner(const PartPoints& parts, const CellCorners::Node& node, Use&& use) {
-    std::array<Label, 3> in;   // middles of the in edges of the three corners
-    std::array<Label, 3> face; // their faces
-    const Label n = parts.cell.corner(node.firstCorner).point;
-    for (std::size_t k = 0, i = static_cast<std::size_t>(node.firstCorner); k < 3; ++k) {
-        const Corner& c = parts.cell.corner(static_cast<int>(i));
-        in[k] = parts.middle(c.inEdge);
-        face[k] = parts.ofFace(c.face);
-        i = static_cast<std::size_t>(c.across);
-    }
-    // The out edge of corner k is the in edge of the corner before it round the node.
-    if (use(PartCorner{n, in[2], in[1], in[0]})) return true;
+    const HexPoints hex = hexPoints(parts, node);
+    if (use(hex.atNode())) return true;
     for (std::size_t k = 0; k < 3; ++k)
-        if (use(PartCorner{in[k], face[k], n, face[(k + 1) % 3]}) ||
-            use(PartCorner{face[k], in[(k + 2) % 3], in[k], parts.centre()}))
-            return true;
-    return use(PartCorner{parts.centre(), face[0], face[1], face[2]});
+        if (use(hex.atEdge(k)) || use(hex.atFace(k, parts.centre()))) return true;
+    return use(hex.atCentre(parts.centre()));
 }
 
 /// Calls use(corner) for those of the corners of a node's hexahedron that its cell's point takes no
 /// part in until it returns true.
 template<class Use>
 bool anyOuterHexCorner(const PartPoints& parts, const CellCorners::Node& node, Use&& use) {
-    return anyHexCorner(parts, node, [&](const PartCorner& corner) {
-        return std::ranges::find(corner, parts.centre()) == corner.end() && use(corner);
-    });
+    const HexPoints hex = hexPoints(parts, node);
+    return use(hex.atNode()) || use(hex.atEdge(0)) || use(hex.atEdge(1)) || use(hex.atEdge(2));
+}
+
+/// The same for the corners that it takes part in.
+template<class Use>
+bool anyInnerHexCorner(const PartPoints& parts, const CellCorners::Node& node, Use&& use) {
+    const HexPoints hex = hexPoints(parts, node);
+    const Label centre = parts.centre();
+    return use(hex.atFace(0, centre)) || use(hex.atFace(1, centre)) || use(hex.atFace(2, centre)) ||
+           use(hex.atCentre(centre));
 }
 
 /// Calls use(corner) for the 4 corners of the base of each pyramid of a node until it returns true.
@@ -167,6 +194,15 @@ bool isNeverRight(const PartPoints& parts) {
     const auto isBad = [&](const PartCorner& corner) { return isInvertedAt(parts, corner); };
     return std::ranges::any_of(parts.cell.nodes(), [&](const CellCorners::Node& node) {
         return node.valence == 2 || (node.valence == 3 && anyOuterHexCorner(parts, node, isBad));
+    });
+}
+
+bool hasInvertedInside(const PartPoints& parts) {
+    const auto isBad = [&](const PartCorner& corner) { return isInvertedAt(parts, corner); };
+    Label apex = parts.firstApex;
+    return std::ranges::any_of(parts.cell.nodes(), [&](const CellCorners::Node& node) {
+        return node.valence == 3 ? anyInnerHexCorner(parts, node, isBad)
+                                 : anyPyramidCorner(parts, node, apex++, isBad);
     });
 }
 

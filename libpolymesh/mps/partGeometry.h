@@ -65,6 +65,9 @@ bool hasInvertedPart(const PartPoints& parts);
 /// edges, or an inverted corner at its surface.
 bool isNeverRight(const PartPoints& parts);
 
+/// Whether a part of a cell that is not never right is inverted at a corner.
+bool hasInvertedInside(const PartPoints& parts);
+
 /// A point from which the faces of the hexahedra of a cell are seen as they must be, so that no
 /// corner that it takes part in is inverted; `start` where there is none or when it is one.
 Vec3 cellPoint(const PartPoints& parts, const Vec3& start);

@@ -94,7 +94,7 @@ void planCell(const PolyMesh& mesh,
         result.apices.resize(first);
         addApices(parts, Apices::best, result.apices);
         parts.apices = std::span<const Vec3>(result.apices).subspan(first);
-        return !hasInvertedPart(parts);
+        return !hasInvertedInside(parts);
     };
     if (place()) return;
     Vec3& centre = plan.points[index(plan.layout.firstCell + cell)];

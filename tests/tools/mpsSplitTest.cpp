@@ -44,7 +44,23 @@ TEST(MpsSplit, dividesAndReports) {
     EXPECT_EQ(report["demandedHexahedra"], 4);
     EXPECT_EQ(report["demandedPyramids"], 8);
     EXPECT_EQ(report["invertedCells"], 0);
+    EXPECT_EQ(report["beyondLimits"], 0);
+    EXPECT_EQ(report["movedForQuality"], 0);
     EXPECT_EQ(pyramid.mesh().cellCount, 12);
+}
+
+TEST(MpsSplit, movesPointsForTheSakeOfSkewFaces) {
+    PolyMesh leaning = test::tetrahedron();
+    leaning.points[3] = {6, 6, .25};
+    const MeshCase tetrahedron(leaning);
+    const ProgramResult result = tetrahedron.split("&& checkMesh -allTopology");
+    EXPECT_EQ(result.status, 0) << result.out << result.err;
+    const nlohmann::json report = tetrahedron.report();
+    EXPECT_EQ(report["beyondLimits"], 3);
+    EXPECT_EQ(report["beyondLimitsLeft"], 0);
+    EXPECT_GT(report["movedForQuality"], 0);
+    EXPECT_NE(result.out.find("for the sake of 3 cells and faces"), std::string::npos);
+    EXPECT_NEAR(report["volumeError"], 0, 1e-12);
 }
 
 TEST(MpsSplit, dividesATrimmedMesh) {

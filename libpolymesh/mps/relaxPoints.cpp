@@ -67,7 +67,8 @@ bool isBox(const PolyMesh& mesh, const SubdivisionPlan& plan, Label cell) {
             box.add(mesh.points[index(point)]);
     }
     const Vec3 size = box.size();
-    const auto [least, most] = std::minmax({size.x, size.y, size.z});
+    const double least = std::min({size.x, size.y, size.z});
+    const double most = std::max({size.x, size.y, size.z});
     if (!(least * longest >= most) || !(least > 0)) return false;
     const Vec3 middle = box.centre();
     const auto isPlaced = [&](const Vec3& p) {

@@ -144,8 +144,9 @@ private:
     /// Adds the parts of a surface edge that are inside the cell (the paper's part 3).
     void addSurfaceEdge(Label e) {
         const SurfaceEdge& edge = cutter_.edges.edges[index(e)];
-        const auto range = std::ranges::equal_range(pierces_, e, {}, &FacePierce::edge);
-        const std::span<FacePierce> row(range.begin(), range.end());
+        const std::span<FacePierce> row(
+            std::ranges::lower_bound(pierces_, e, {}, &FacePierce::edge),
+            std::ranges::upper_bound(pierces_, e, {}, &FacePierce::edge));
         if (row.size() > 1) {
             const Vec3& p = cutter_.surface->points[index(edge.start)];
             const Vec3& q = cutter_.surface->points[index(edge.end)];

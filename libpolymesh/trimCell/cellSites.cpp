@@ -103,24 +103,24 @@ private:
     void crossEdgesOfCell() {
         std::vector<EdgeCrossing> found;
         for (const CellEdge& use : sites_.edges) {
-            const auto& [low, high] = probe_.edges[index(use.edge)];
+            const Vec3& low = at(probe_.edges[index(use.edge)][0]);
+            const Vec3& high = at(probe_.edges[index(use.edge)][1]);
             Box box;
-            box.add(at(low));
-            box.add(at(high));
+            box.add(low);
+            box.add(high);
             found.clear();
             for (const Label t : sites_.triangles) {
                 if (!overlaps(cutter_.triangleBoxes[index(t)], box)) continue;
-                if (auto crossing = meetTriangle(at(low), at(high), cutter_.triangle(t))) {
+                if (auto crossing = meetTriangle(low, high, cutter_.triangle(t))) {
                     crossing->triangle = t;
                     found.push_back(*crossing);
                 }
             }
             // Crossings of triangles in one plane keep the order of their triangles.
             std::ranges::stable_sort(found, [&](const EdgeCrossing& s, const EdgeCrossing& t) {
-                return compareAlongMeshEdge(at(low),
-                                            at(high),
-                                            cutter_.triangle(s.triangle),
-                                            cutter_.triangle(t.triangle)) < 0;
+                return compareAlongMeshEdge(
+                           low, high, cutter_.triangle(s.triangle), cutter_.triangle(t.triangle)) <
+                       0;
             });
             sites_.crossings.add(found);
         }

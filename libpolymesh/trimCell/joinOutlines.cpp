@@ -103,8 +103,9 @@ private:
             outline.start = start;
             first = i;
         }
-        std::ranges::rotate(outline.points,
-                            outline.points.begin() + static_cast<std::ptrdiff_t>(first));
+        std::rotate(outline.points.begin(),
+                    outline.points.begin() + static_cast<std::ptrdiff_t>(first),
+                    outline.points.end());
         return outline;
     }
 
@@ -174,8 +175,10 @@ private:
                      x < arrangement_.crossings.offsets[index(e) + 1];
                      ++x)
                     out.needed.push_back(arrangement_.firstCrossing() + x);
-            const auto here = std::ranges::equal_range(outlines, k, {}, &Outline::facet);
-            emit(facet, std::span<const Outline>(here.begin(), here.end()), out);
+            const std::span<const Outline> here(
+                std::ranges::lower_bound(outlines, k, {}, &Outline::facet),
+                std::ranges::upper_bound(outlines, k, {}, &Outline::facet));
+            emit(facet, here, out);
         }
     }
 

@@ -54,8 +54,9 @@ private:
             first = i;
         }
         const auto begin = static_cast<std::ptrdiff_t>(first);
-        std::ranges::rotate(piece.points, piece.points.begin() + begin);
-        std::ranges::rotate(piece.intervals, piece.intervals.begin() + begin);
+        std::rotate(piece.points.begin(), piece.points.begin() + begin, piece.points.end());
+        std::rotate(
+            piece.intervals.begin(), piece.intervals.begin() + begin, piece.intervals.end());
         return piece;
     }
 

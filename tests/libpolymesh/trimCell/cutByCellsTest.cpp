@@ -133,6 +133,15 @@ TEST(CutByCells, givesTheSameCutWithHolesIslandsAndVoids) {
     expectSameCut(jittered(mesh, 0.02), tube, "tube in a warped mesh");
 }
 
+TEST(CutByCells, givesTheSameCutOfSmallPartsInWarpedCells) {
+    std::mt19937 random(7);
+    for (unsigned i = 0; i < 1000; ++i) {
+        const PolyMesh mesh = jittered(box(2, 2, 2), 0.02 + 0.0001 * i, i);
+        expectSameCut(
+            mesh, sphere(0, 0.02, placeIn(random, 0.05, 0.95)), fmt::format("part {}", i));
+    }
+}
+
 TEST(CutByCells, anyOptionGivesTheSameBytes) {
     const PolyMesh mesh = jittered(box(5, 5, 5), 0.02);
     const TriSurface part = join(cuboid({0.21, 0.2, 0.2}, {0.5, 0.77, 0.6}, "block"),

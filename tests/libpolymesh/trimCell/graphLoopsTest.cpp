@@ -141,9 +141,9 @@ TEST(GraphLoops, areThePapersLightestLoops) {
             const Label from = labelOf(edge.points[0]);
             const Label to = labelOf(edge.points[1]);
             ways.through(from, to, [&](const std::vector<Label>& loop) {
-                std::vector<Vec3> at;
-                for (const Label p : loop)
-                    at.push_back(cube.placeOf(names[index(p)]));
+                std::vector<Vec3> at(loop.size());
+                std::ranges::transform(
+                    loop, at.begin(), [&](Label p) { return cube.placeOf(names[index(p)]); });
                 loops.emplace(static_cast<double>(loop.size()) + outOfPlane(at),
                               std::set<Label>(loop.begin(), loop.end()));
             });

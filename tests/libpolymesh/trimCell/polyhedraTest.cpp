@@ -23,6 +23,7 @@ struct Measures {
     Label faces = 0;
     Label points = 0;
 
+    // NOLINTNEXTLINE(modernize-use-nullptr): what the compiler makes of it compares with 0
     auto operator<=>(const Measures&) const = default;
 };
 

@@ -4,6 +4,7 @@
 
 #include "libpolymesh/base/error.h"
 #include "libpolymesh/base/parallel.h"
+#include "libpolymesh/geometry/predicates.h"
 #include "libpolymesh/initial/cartesian.h"
 #include "libpolymesh/refine/refine.h"
 #include "tests/libpolymesh/trimCell/bothWays.h"
@@ -139,6 +140,23 @@ TEST(CutByCells, givesTheSameCutOfSmallPartsInWarpedCells) {
         const PolyMesh mesh = jittered(box(2, 2, 2), 0.02 + 0.0001 * i, i);
         expectSameCut(
             mesh, sphere(0, 0.02, placeIn(random, 0.05, 0.95)), fmt::format("part {}", i));
+    }
+}
+
+/// Triangles whose normal is rounding alone: one way must not lose them in its search.
+TEST(CutByCells, givesTheSameCutOfSlivers) {
+    std::mt19937 random(8);
+    for (unsigned i = 0; i < 300; ++i) {
+        Vec3 a = placeIn(random, 0, 1);
+        Vec3 b = placeIn(random, 0, 1);
+        const Vec3 d = placeIn(random, 0, 1);
+        const Vec3 c = a + placeIn(random, 0.2, 0.8).x * (b - a);
+        const int side = orient3d(a, b, c, d);
+        if (side == 0) continue;
+        if (side > 0) std::swap(a, b);
+        expectSameCut(box(3, 3, 3),
+                      surfaceOf({a, b, c, d}, {{0, 1, 2}, {1, 0, 3}, {2, 1, 3}, {0, 2, 3}}),
+                      fmt::format("tetrahedron {}", i));
     }
 }
 

@@ -49,8 +49,9 @@ std::string readGzip(const std::filesystem::path& path) {
     const GzipFile file(gzopen(path.c_str(), "rb"));
     require(file != nullptr, "{}: cannot open: {}", path.string(), std::strerror(errno));
     gzbuffer(file.get(), chunkSize);
-    require(
-        gzdirect(file.get()) == 0, "{}: not a gzip file, though its name says so", path.string());
+    require(gzdirect(file.get()) == 0,
+            "{}: not a gzip file, though its name says so; take .gz off its name",
+            path.string());
     std::string bytes;
     std::size_t size = 0;
     int count = 0;
@@ -62,7 +63,7 @@ std::string readGzip(const std::filesystem::path& path) {
     int error = Z_OK;
     const char* message = gzerror(file.get(), &error);
     require(error == Z_OK || error == Z_STREAM_END,
-            "{}: damaged or cut short: {}",
+            "{}: damaged or cut short: {}; copy it again from where it is whole",
             path.string(),
             message);
     bytes.resize(size);
@@ -91,8 +92,11 @@ bool writeGzip(const std::filesystem::path& path, std::string_view bytes) {
 } // namespace
 
 std::string readBytes(const std::filesystem::path& file) {
-    require(std::filesystem::exists(file), "{}: no such file", file.string());
-    require(!std::filesystem::is_directory(file), "{}: is a folder", file.string());
+    require(std::filesystem::exists(file),
+            "{}: no such file; check its name and folder",
+            file.string());
+    require(
+        !std::filesystem::is_directory(file), "{}: is a folder; name a file in it", file.string());
     return file.extension() == ".gz" ? readGzip(file) : readPlain(file);
 }
 

@@ -32,7 +32,7 @@ std::string formatOf(const path& file) {
 [[noreturn]] void failUnknown(const path& file) {
     throw InputError(
         fmt::format("{}: unknown surface format: expected .stl, .stlb, .obj, .off or .ply, "
-                    "or one of these and .gz",
+                    "or one of these and .gz; export the surface as one of them",
                     file.string()));
 }
 
@@ -40,6 +40,15 @@ path findFile(const path& file) {
     path packed = file;
     packed += ".gz";
     return !exists(file) && exists(packed) ? packed : file;
+}
+
+TriSurface
+parse(const std::string& bytes, const std::string& format, const path& found, const path& file) {
+    const std::string name = withoutGz(file).stem().string();
+    if (format == ".obj") return obj::read(bytes, found.string(), name);
+    if (format == ".off") return off::read(bytes, found.string(), name);
+    if (format == ".ply") return ply::read(bytes, found.string(), name);
+    return stl::read(bytes, found.string(), name);
 }
 
 } // namespace
@@ -50,11 +59,13 @@ TriSurface readSurface(const path& file) {
     if (!isStl && format != ".obj" && format != ".off" && format != ".ply") failUnknown(file);
     const path found = findFile(file);
     const std::string bytes = readBytes(found);
-    const std::string name = withoutGz(file).stem().string();
-    if (format == ".obj") return obj::read(bytes, found.string(), name);
-    if (format == ".off") return off::read(bytes, found.string(), name);
-    if (format == ".ply") return ply::read(bytes, found.string(), name);
-    return stl::read(bytes, found.string(), name);
+    try {
+        return parse(bytes, format, found, file);
+    } catch (const InputError& error) {
+        // The readers say what is wrong and where; what helps is the same for all of it.
+        throw InputError(
+            fmt::format("{}; correct the file there, or export the surface again", error.what()));
+    }
 }
 
 void writeSurface(const TriSurface& surface, const path& file) {

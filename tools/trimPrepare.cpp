@@ -118,12 +118,14 @@ bool turnOutward(ToolRun& tool, TriSurface& surface) {
 }
 
 void requireOriented(const std::string& file, const Finding& misoriented) {
-    require(misoriented.count == 0,
-            "{}: {} edges are used twice in the same direction, one at {}, and turning triangles "
-            "does not help; repair the surface",
-            file,
-            misoriented.count,
-            text(misoriented.first));
+    require(
+        misoriented.count == 0,
+        "{}: {} edges are used twice in the same direction, one at {}, and turning triangles "
+        "does not help: the surface crosses itself there like a Moebius band, or sheets hang on "
+        "it; remove them in a surface editor and try again",
+        file,
+        misoriented.count,
+        text(misoriented.first));
 }
 
 } // namespace

@@ -84,7 +84,7 @@ private:
         if (!scanner_.isAtWordEnd() && scanner_.peek() != '/')
             scanner_.fail("expected a corner such as 7 or 7/1/3");
         if (number == 0 || number > count || number < -count)
-            scanner_.fail(fmt::format("vertex {} of {} so far", number, count));
+            scanner_.fail(fmt::format("a face has vertex {}, of {} so far", number, count));
         return labels_[static_cast<std::size_t>(number > 0 ? number - 1 : count + number)];
     }
 

@@ -39,7 +39,7 @@ Label readCorner(TextScanner& scanner, const std::vector<Label>& labels) {
     const std::int64_t number = scanner.integer();
     const auto count = static_cast<std::int64_t>(labels.size());
     if (number < 0 || number >= count)
-        scanner.fail(fmt::format("vertex {} of 0 ... {}", number, count - 1));
+        scanner.fail(fmt::format("a face has vertex {}, of 0 ... {}", number, count - 1));
     return labels[static_cast<std::size_t>(number)];
 }
 

@@ -192,7 +192,7 @@ private:
             const std::int64_t number = values_.integer(property.type);
             const auto count = static_cast<std::int64_t>(labels_.size());
             if (number < 0 || number >= count)
-                values_.fail(fmt::format("vertex {} of 0 ... {}", number, count - 1));
+                values_.fail(fmt::format("a face has vertex {}, of 0 ... {}", number, count - 1));
             corners_.push_back(labels_[static_cast<std::size_t>(number)]);
         }
         builder_.addPolygon(corners_, region);

@@ -159,6 +159,7 @@ TriSurface read(std::string_view bytes, const std::string& fileName, std::string
         TextScanner scanner(bytes, fileName);
         readText(scanner, builder);
     } else {
+        require(!bytes.empty(), "{}: the file is empty", fileName);
         require(hasCount, "{}: neither a text ('solid ...') nor a binary STL file", fileName);
         throw InputError(
             fmt::format("{}: at byte {}: the header promises {} bytes, the file has {}: "

@@ -49,7 +49,7 @@ TEST(ObjReader, makesRegionsOfMaterialsWhenThereIsNothingElse) {
 
 TEST(ObjReader, namesTheLine) {
     EXPECT_NE(test::messageOf(test::corpusFile("obj", "bad-indexTooHigh.obj"))
-                  .find("bad-indexTooHigh.obj:5: vertex 5 of 4 so far"),
+                  .find("bad-indexTooHigh.obj:5: a face has vertex 5, of 4 so far"),
               std::string::npos);
 }
 

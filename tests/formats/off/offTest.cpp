@@ -28,7 +28,7 @@ TEST(OffReader, passesOverCommentsColoursAndFacesOfTwoCorners) {
 
 TEST(OffReader, namesTheLine) {
     EXPECT_NE(test::messageOf(test::corpusFile("off", "bad-indexNegative.off"))
-                  .find("bad-indexNegative.off:7: vertex -1 of 0 ... 3"),
+                  .find("bad-indexNegative.off:7: a face has vertex -1, of 0 ... 3"),
               std::string::npos);
 }
 

@@ -32,21 +32,29 @@ std::string uniteParts(ToolRun& tool, TriSurface& surface) {
     const double after = measure(united->surface).volume;
     tool.report["surface"]["united"] = {{"dividedTriangles", united->divided},
                                         {"triangles", united->surface.triangleCount()},
+                                        {"pairsLeft", united->pairsLeft},
                                         {"rounds", united->rounds},
                                         {"largestMove", united->largestMove},
                                         {"volumeBefore", before},
                                         {"volume", after}};
     const Label count = surface.triangleCount();
     surface = std::move(united->surface);
+    const std::string left =
+        united->pairsLeft == 0
+            ? ""
+            : fmt::format(
+                  "; {} pairs are left that intersect by rounding, where cells can be wrong",
+                  united->pairsLeft);
     return fmt::format("{} of {} triangles divided along the lines where they meet, what is inside "
                        "(winding number 1 or more) united: {} triangles, volume {:.9g} (before: "
-                       "{:.9g}) m^3, points within {:.2g} m of their exact places",
+                       "{:.9g}) m^3, points within {:.2g} m of their exact places{}",
                        united->divided,
                        count,
                        surface.triangleCount(),
                        after,
                        before,
-                       united->largestMove);
+                       united->largestMove,
+                       left);
 }
 
 } // namespace polymesh::tools

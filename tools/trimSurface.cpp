@@ -111,6 +111,11 @@ Trimmed trimValid(ToolRun& tool, PolyMesh mesh, const TriSurface& surface, TrimO
     return attempt(std::move(again));
 }
 
+/// Whether the surface was mended so that it does not intersect itself any more.
+bool isUnited(const nlohmann::ordered_json& surface) {
+    return surface.contains("united") && surface["united"]["pairsLeft"] == 0;
+}
+
 /// The same; what fails on a surface that intersects itself is a matter of the surface.
 Trimmed trimOrRefuse(ToolRun& tool,
                      const std::string& file,
@@ -121,7 +126,7 @@ Trimmed trimOrRefuse(ToolRun& tool,
         return trimValid(tool, std::move(mesh), surface, how);
     } catch (const WorkError& error) {
         const auto& found = tool.report["surface"];
-        if (found["selfIntersections"]["pairs"] == 0 || found.contains("united")) throw;
+        if (found["selfIntersections"]["pairs"] == 0 || isUnited(found)) throw;
         throw InputError(fmt::format("{}: the surface intersects itself (places above), so that no "
                                      "valid mesh can be made: {}; unite the parts that overlap",
                                      file,

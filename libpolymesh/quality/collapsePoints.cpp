@@ -172,9 +172,12 @@ void setFaceWalk(MeshEditor& editor, Label f, const Polygon& walk) {
 }
 
 CollapseCounts tidyCells(MeshEditor& editor, std::vector<Label> cells) {
+    // Flat parts may pass from cell to cell and, where cells overlap, come back: what is not
+    // settled by then counts as broken below.
+    constexpr int mostRounds = 50;
     CollapseCounts counts;
     std::vector<Label> all;
-    while (!cells.empty()) {
+    for (int round = 0; round < mostRounds && !cells.empty(); ++round) {
         sortUnique(cells);
         all.insert(all.end(), cells.begin(), cells.end());
         std::vector<Label> touched;

@@ -118,25 +118,32 @@ Label countDivided(const std::vector<std::array<Label, 2>>& pairs) {
     return toLabel(divided.size());
 }
 
+/// Whether rounding makes more pairs than it takes away.
+bool isHopeless(Label pairs, Label fewest) {
+    constexpr Label few = 100; // these may come and go
+    return pairs > mostPairs || pairs > 2 * fewest + few;
+}
+
 } // namespace
 
 std::optional<UnitedSurface> uniteSurface(const TriSurface& surface) {
     const double scale = std::exp2(std::ceil(std::log2(largestCoordinate(surface))));
-    UnitedSurface united{surface, 0, 0, 0};
+    auto pairs = findSelfIntersections(surface, mostPairs + 1);
+    UnitedSurface last{surface, countDivided(pairs.first), pairs.count, 0, 0};
+    UnitedSurface best = last;
     for (const int bits : bitsOfRound) {
-        const auto pairs = findSelfIntersections(united.surface, mostPairs + 1);
-        if (pairs.count == 0) return united;
-        if (pairs.count > mostPairs) return std::nullopt;
-        if (united.rounds == 0) united.divided = countDivided(pairs.first);
+        if (last.pairsLeft == 0 || isHopeless(last.pairsLeft, best.pairsLeft)) break;
         Rounding round(bits == 0 ? 0 : std::ldexp(scale, -bits));
-        united.surface = uniteOnce(united.surface, pairs.first, round);
-        united.largestMove += round.largestMove();
-        ++united.rounds;
-        if (united.surface.triangles.empty() || !checkSurface(united.surface).isClosed())
-            return std::nullopt;
+        last.surface = uniteOnce(last.surface, pairs.first, round);
+        if (last.surface.triangles.empty() || !checkSurface(last.surface).isClosed()) break;
+        pairs = findSelfIntersections(last.surface, mostPairs + 1);
+        last.pairsLeft = pairs.count;
+        last.largestMove += round.largestMove();
+        ++last.rounds;
+        if (last.rounds == 1 || last.pairsLeft < best.pairsLeft) best = last;
     }
-    if (findSelfIntersections(united.surface, 1).count > 0) return std::nullopt;
-    return united;
+    const bool isDone = best.pairsLeft == 0 || best.rounds > 0;
+    return isDone ? std::optional(std::move(best)) : std::nullopt;
 }
 
 } // namespace polymesh

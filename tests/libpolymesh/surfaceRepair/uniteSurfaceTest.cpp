@@ -31,6 +31,7 @@ UnitedSurface united(const TriSurface& surface) {
     }
     EXPECT_TRUE(checkSurface(result->surface).isClosed());
     EXPECT_EQ(findSelfIntersections(result->surface, 1).count, 0);
+    EXPECT_EQ(result->pairsLeft, 0);
     EXPECT_EQ(result->surface.regionNames, surface.regionNames);
     return *result;
 }

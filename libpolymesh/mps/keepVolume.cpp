@@ -21,6 +21,7 @@ struct Group {
     double target = 0;    // [m^3] three times the volume over the apex that the faces should hold
     bool isFixed = false; // of a cell that is not divided
     bool isMoved = false;
+    bool wentBack = false;
 };
 
 Vec3 areaOf(const PolyMesh& mesh, const SubdivisionPlan& plan, Label face) {
@@ -140,6 +141,7 @@ double fitAll(const PolyMesh& mesh, std::vector<Group>& groups, SubdivisionPlan&
         for (Label face = group.first; face < group.last; ++face)
             plan.points[index(plan.layout.firstFace + face)] = before[index(face)];
         group.isMoved = false;
+        group.wentBack = true;
         const double left = excess(mesh, plan, group);
         missing += left;
         group.target += left;
@@ -178,11 +180,11 @@ std::vector<FaceGeometry> boundaryGeometry(const PolyMesh& mesh) {
     return faces;
 }
 
-Label keepVolume(const PolyMesh& mesh,
-                 std::span<const Label> from,
-                 std::span<const FaceGeometry> undivided,
-                 std::span<const Fate> fates,
-                 SubdivisionPlan& plan) {
+KeptVolume keepVolume(const PolyMesh& mesh,
+                      std::span<const Label> from,
+                      std::span<const FaceGeometry> undivided,
+                      std::span<const Fate> fates,
+                      SubdivisionPlan& plan) {
     constexpr int rounds = 4;
     std::vector<Group> groups = groupsOf(mesh, plan, from, undivided);
     double missing = fates.empty() ? 0 : fixUndivided(mesh, plan, fates, groups);
@@ -196,7 +198,12 @@ Label keepVolume(const PolyMesh& mesh,
             if (group.isMoved) group.target -= missing * norm(group.area) / area;
         missing = fitAll(mesh, groups, plan);
     }
-    return static_cast<Label>(std::ranges::count(groups, true, &Group::isMoved));
+    KeptVolume kept{
+        static_cast<Label>(std::ranges::count(groups, true, &Group::isMoved)), missing / 3, {}};
+    for (const Group& group : groups)
+        if (group.wentBack)
+            kept.notKept.push_back(from[index(group.first - mesh.internalFaceCount())]);
+    return kept;
 }
 
 } // namespace polymesh

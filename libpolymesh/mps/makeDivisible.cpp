@@ -377,6 +377,56 @@ void helpWithTetrahedra(Work& work, const RemedyMeans& means) {
     planAgain(work);
 }
 
+/// Splits the boundary faces that stem from these (ascending) from their middles, after making the
+/// cells at them whole again, so that they hold what they should.
+void splitFromMiddles(Work& work, const RemedyMeans& means, std::span<const Label> undivided) {
+    const auto boundary = [&] {
+        std::vector<Label> faces;
+        for (Label i = 0; i < toLabel(work.edited.boundaryFrom.size()); ++i)
+            if (std::ranges::binary_search(undivided, work.edited.boundaryFrom[index(i)]))
+                faces.push_back(work.mesh().internalFaceCount() + i);
+        return faces;
+    };
+    work.plan.inverted.clear();
+    for (const Label face : boundary())
+        work.plan.inverted.push_back(work.mesh().owner[index(face)]);
+    std::ranges::sort(work.plan.inverted);
+    work.plan.inverted.erase(std::unique(work.plan.inverted.begin(), work.plan.inverted.end()),
+                             work.plan.inverted.end());
+    restore(work, means, std::nullopt);
+    const std::vector<Label> faces = boundary();
+    const std::vector<FacePieces> fans = fansOf(work.mesh(), faces);
+    for (const Label face : faces)
+        work.edited.mesh.points.push_back(
+            faceGeometry(work.mesh().points, work.mesh().faces[face]).centre);
+    split(work, fans);
+    planAgain(work);
+    helpWithTetrahedra(work, means);
+}
+
+/// Does so while the volume that is missing becomes less.
+void makeUpVolume(Work& work,
+                  const RemedyMeans& means,
+                  std::span<const FaceGeometry> boundary,
+                  KeptVolume kept) {
+    constexpr int rounds = 3;
+    constexpr double rounding = 1e-13;
+    std::vector<Label> undivided;
+    for (int i = 0; i < rounds; ++i) {
+        if (std::abs(kept.missing) <= rounding * boundedVolume(work.mesh())) return;
+        undivided.insert(undivided.end(), kept.notKept.begin(), kept.notKept.end());
+        std::ranges::sort(undivided);
+        undivided.erase(std::unique(undivided.begin(), undivided.end()), undivided.end());
+        Work again = work;
+        splitFromMiddles(again, means, undivided);
+        if (again.plan.inverted.size() > work.plan.inverted.size()) return;
+        const double before = std::abs(kept.missing);
+        kept = keepVolume(again.mesh(), again.edited.boundaryFrom, boundary, {}, again.plan);
+        if (!(std::abs(kept.missing) < before)) return;
+        work = std::move(again);
+    }
+}
+
 /// `mesh` has the boundary faces of the undivided mesh.
 Work workOn(PolyMesh mesh) {
     Work work;
@@ -407,10 +457,12 @@ Divisible makeDivisible(PolyMesh mesh, const RemedyMeans& means, Hexahedra hexah
         helpWithTetrahedra(again, means);
         if (again.plan.inverted.size() <= work.plan.inverted.size()) work = std::move(again);
     }
-    work.counts.newCells = work.mesh().cellCount - cells;
     std::vector<Fate> fates;
     if (hexahedra == Hexahedra::kept) fates = fatesOf(work.mesh(), work.plan, work.edited.bends);
-    keepVolume(work.mesh(), work.edited.boundaryFrom, boundary, fates, work.plan);
+    const KeptVolume kept =
+        keepVolume(work.mesh(), work.edited.boundaryFrom, boundary, fates, work.plan);
+    if (hexahedra == Hexahedra::divided) makeUpVolume(work, means, boundary, kept);
+    work.counts.newCells = work.mesh().cellCount - cells;
     return {std::move(work.edited.mesh),
             std::move(work.plan),
             std::move(work.edited.bends),

@@ -109,7 +109,7 @@ void PointStar::findCorners(Label cell) {
 }
 
 void PointStar::findAxes() {
-    constexpr double flat = 0.999; // cosine of 2.6 degrees
+    constexpr double flat = 0.985; // cosine of 10 degrees
     if (boundaryFaces_.empty()) {
         axes_ = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
         return;

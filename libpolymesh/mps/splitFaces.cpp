@@ -258,4 +258,18 @@ std::vector<FacePieces> piecesOfFaces(const PolyMesh& mesh,
     return result;
 }
 
+std::vector<FacePieces> fansOf(const PolyMesh& mesh, std::span<const Label> faces) {
+    std::vector<FacePieces> fans;
+    Label middle = mesh.pointCount();
+    for (const Label face : faces) {
+        const auto loop = mesh.faces[face];
+        FacePieces fan{face, {}};
+        for (std::size_t i = 0; i < loop.size(); ++i)
+            fan.pieces.push_back({loop[i], loop[(i + 1) % loop.size()], middle});
+        fans.push_back(std::move(fan));
+        ++middle;
+    }
+    return fans;
+}
+
 } // namespace polymesh

@@ -45,4 +45,8 @@ std::vector<FacePieces> piecesOfFaces(const PolyMesh& mesh,
                                       std::span<const Label> cells,
                                       const FaceSplitRule& rule);
 
+/// The triangles from OpenFOAM's centres of some faces (ascending), which take part as points from
+/// mesh.pointCount() on: together they hold the volume that the face holds to OpenFOAM.
+std::vector<FacePieces> fansOf(const PolyMesh& mesh, std::span<const Label> faces);
+
 } // namespace polymesh

@@ -30,8 +30,7 @@ std::vector<double> shortestEdges(const PolyMesh& mesh) {
         Label before = face.back();
         for (const Label p : face) {
             const double length2 = squaredNorm(mesh.points[index(p)] - mesh.points[index(before)]);
-            shorten(p, length2);
-            shorten(before, length2);
+            shorten(p, length2); // and `before` in a face that runs the other way
             before = p;
         }
     });

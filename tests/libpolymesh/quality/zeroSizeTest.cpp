@@ -33,6 +33,18 @@ TEST(UnitedPolygon, runsRoundBoth) {
     EXPECT_TRUE(unitedPolygon({0, 1, 2, 3}, {1, 0, 4, 3, 2, 5}).empty());
 }
 
+TEST(RemoveZeroSize, ofTwoPointsAtOnePlaceTheHigherRankStays) {
+    for (const bool isCornerMoved : {false, true}) {
+        EditMesh mesh = test::boxOfHexes({2, 1, 1}, 1.0); // 0 is a corner, 1 on an edge
+        mesh.points[isCornerMoved ? 0 : 1] = mesh.points[isCornerMoved ? 1 : 0];
+        EXPECT_EQ(removeZeroSize(mesh).points, 1);
+        EXPECT_EQ(validateEdit(mesh), Defects());
+        const MeshEditor editor(mesh);
+        EXPECT_FALSE(editor.facesOfPoint(0).empty());
+        EXPECT_TRUE(editor.facesOfPoint(1).empty());
+    }
+}
+
 TEST(CollapsePoints, leavesAMeshWithDistinctPointsAlone) {
     EditMesh mesh = test::boxOfHexes({2, 2, 2}, 1.0);
     std::vector<Label> self(mesh.points.size());

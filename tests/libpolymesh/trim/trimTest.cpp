@@ -388,6 +388,26 @@ void expectTouchingIsClean(const PolyMesh& mesh, const Vec3& min, const Vec3& ma
     }
 }
 
+TEST(Trim, theSideOfAnotherPartThatTouchesFromOutsideTheMeshIsNoPatch) {
+    const TriSurface beyond = cuboid({1, 0.1, 0.1}, {1.5, 0.9, 0.9}, "beyond");
+    const TriSurface part = cuboid({0.3, 0.3, 0.3}, {1, 0.7, 0.7}, "part");
+    const PolyMesh inside = trimmed(box(4, 4, 4), join(beyond, part), exact());
+    EXPECT_NEAR(volumeOf(inside), measure(part).volume, 1e-12);
+    EXPECT_NEAR(patchArea(inside, true), measure(part).area, 1e-12);
+    EXPECT_NEAR(patchArea(inside, false), 0, 1e-12);
+}
+
+TEST(Trim, aVoidInACellIsSimplifiedToo) {
+    const TriSurface ball = sphere(3, 0.1, {0.5, 0.5, 0.5});
+    TrimOptions options = exact(Keep::outside);
+    options.deviation = 0.1;
+    const PolyMesh mesh = trimmed(box(3, 3, 3), ball, options);
+    const auto walls = std::ranges::find(mesh.patches, "walls", &Patch::name);
+    ASSERT_NE(walls, mesh.patches.end());
+    EXPECT_GE(walls->size, 4);
+    EXPECT_LT(walls->size, ball.triangleCount() / 4);
+}
+
 TEST(Trim, aBiteOutOfAnEdgeOfTheMeshIsOneFaceHoweverShallow) {
     TrimOptions options = exact(Keep::outside);
     options.deviation = 0.3;

@@ -36,6 +36,7 @@ def arguments():
     parser.add_argument("--azimuth", type=float, default=30, help="[deg]")
     parser.add_argument("--elevation", type=float, default=25, help="[deg]")
     parser.add_argument("--zoom", type=float, default=1.6)
+    parser.add_argument("--stacked", action="store_true", help="parts one above the other, not side by side")
     parser.add_argument("--size", type=int, nargs=2, default=[1400, 620], help="[pixel]")
     return parser.parse_args()
 
@@ -170,6 +171,13 @@ def closeUpBounds(bounds, place):
     return [middle[i] + sign * half for i in range(3) for sign in (-1, 1)]
 
 
+def viewport(place, count, isStacked):
+    """The corners of a panel in the window, from 0 to 1: from the left, or from the top."""
+    if isStacked:
+        return 0, 1 - (place + 1) / count, 1, 1 - place / count
+    return place / count, 0, (place + 1) / count, 1
+
+
 def main():
     options = arguments()
     mesh = readMesh(options.case)
@@ -186,7 +194,7 @@ def main():
     window.SetSize(*options.size)
     for place, (actor, seen) in enumerate(panels):
         renderer = vtk.vtkRenderer()
-        renderer.SetViewport(place / len(panels), 0, (place + 1) / len(panels), 1)
+        renderer.SetViewport(*viewport(place, len(panels), options.stacked))
         renderer.SetBackground(1, 1, 1)
         renderer.AddActor(actor)
         aim(renderer, seen, options)

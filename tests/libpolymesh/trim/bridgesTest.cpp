@@ -187,14 +187,16 @@ TEST(OpenHoles, aHoleGoesToTheSmallestPolygonRoundIt) {
     const LoopPolygon ditch = face.ring(12, 0, 0, 3, -1);
     const LoopPolygon island = face.ring(12, 0, 0, 2, 1);
     const LoopPolygon pond = face.ring(4, 0, 0, 0.5, -1);
-    const Opened result = open(face, {outline}, {ditch, island, pond}, false);
-    EXPECT_EQ(result.holes, 2);
-    ASSERT_EQ(result.polygons.size(), 4U);
-    for (const LoopPolygon& polygon : result.polygons) {
-        const bool isOuter = std::ranges::find(polygon, outline[0]) != polygon.end() ||
-                             std::ranges::find(polygon, ditch[0]) != polygon.end();
-        for (const Label p : pond)
-            EXPECT_FALSE(isOuter && std::ranges::find(polygon, p) != polygon.end());
+    for (const auto& outlines : {std::vector{outline, island}, std::vector{island, outline}}) {
+        const Opened result = open(face, outlines, {ditch, pond}, false);
+        EXPECT_EQ(result.holes, 2);
+        ASSERT_EQ(result.polygons.size(), 4U);
+        for (const LoopPolygon& polygon : result.polygons) {
+            const bool isOuter = std::ranges::find(polygon, outline[0]) != polygon.end() ||
+                                 std::ranges::find(polygon, ditch[0]) != polygon.end();
+            for (const Label p : pond)
+                EXPECT_FALSE(isOuter && std::ranges::find(polygon, p) != polygon.end());
+        }
     }
 }
 

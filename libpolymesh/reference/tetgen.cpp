@@ -3,6 +3,7 @@
 #include "libpolymesh/reference/tetgen.h"
 
 #include "libpolymesh/base/error.h"
+#include "libpolymesh/geometry/solidAngle.h"
 #include "libpolymesh/mesh/cellGeometry.h"
 #include "libpolymesh/reference/childProcess.h"
 
@@ -172,16 +173,8 @@ TetRegions meshComplex(const Complex& complex) {
 /// How often the surface winds round a point that is not on it.
 double windingNumber(const TriSurface& surface, const Vec3& p) {
     double angle = 0;
-    for (Label t = 0; t < surface.triangleCount(); ++t) {
-        const Vec3 a = surface.corner(t, 0) - p;
-        const Vec3 b = surface.corner(t, 1) - p;
-        const Vec3 c = surface.corner(t, 2) - p;
-        const double la = norm(a);
-        const double lb = norm(b);
-        const double lc = norm(c);
-        angle += 2 * std::atan2(dot(a, cross(b, c)),
-                                la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
-    }
+    for (Label t = 0; t < surface.triangleCount(); ++t)
+        angle += solidAngle(p, surface.corner(t, 0), surface.corner(t, 1), surface.corner(t, 2));
     return angle / (4 * std::numbers::pi);
 }
 

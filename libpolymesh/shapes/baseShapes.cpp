@@ -97,12 +97,6 @@ std::array<BaseShape, baseShapeCount> allBaseShapes() {
     return shapes;
 }
 
-std::optional<BaseShape> baseShapeNamed(std::string_view name) {
-    for (const BaseShape shape : allBaseShapes())
-        if (tableOf(shape).name == name) return shape;
-    return std::nullopt;
-}
-
 Rows<Label> collapsedFaces(BaseShape shape, std::span<const Label> points) {
     Rows<Label> faces;
     std::vector<Label> loop;

@@ -7,7 +7,6 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string_view>
 
@@ -55,9 +54,6 @@ struct BaseShapeTable {
 const BaseShapeTable& tableOf(BaseShape shape);
 
 std::array<BaseShape, baseShapeCount> allBaseShapes();
-
-/// The shape of that name; none when there is none.
-std::optional<BaseShape> baseShapeNamed(std::string_view name);
 
 /// The faces, outward, of a base shape whose vertices are these points; points that are repeated
 /// are edges that have collapsed: a face names each point once, and faces with fewer than three

@@ -4,12 +4,12 @@
 
 #include "libpolymesh/base/error.h"
 #include "libpolymesh/base/parallel.h"
+#include "libpolymesh/geometry/solidAngle.h"
 #include "libpolymesh/trim/cellShells.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <iterator>
+#include <functional>
 #include <numbers>
 #include <span>
 
@@ -86,13 +86,6 @@ private:
         return volume;
     }
 
-    /// The angle under which the origin sees a triangle. Source: van Oosterom and Strackee (1983).
-    static double angleOf(const Vec3& a, const Vec3& b, const Vec3& c) {
-        const double below = norm(a) * norm(b) * norm(c) + dot(a, b) * norm(c) +
-                             dot(b, c) * norm(a) + dot(c, a) * norm(b);
-        return 2 * std::atan2(dot(a, cross(b, c)), below);
-    }
-
     /// The part of all directions from which a piece is seen from inside: 1 round a point inside
     /// it, 0 round one outside. A face that is not plane is the fan round the mean of its points,
     /// as where it is cut: a void may be near it.
@@ -102,13 +95,14 @@ private:
             if (shells_.shellOf(i) != piece) continue;
             const auto polygon = points(polygons_[index(i)]);
             const double sign = polygons_[index(i)].isTurned ? -1 : 1;
-            Vec3 mean;
+            Vec3 mean = at; // taken from there, where it is small
             for (const Label p : polygon)
                 mean += (positions_[index(p)] - at) / static_cast<double>(polygon.size());
             for (std::size_t k = 0; k < polygon.size(); ++k)
-                sum += sign * angleOf(mean,
-                                      positions_[index(polygon[k])] - at,
-                                      positions_[index(polygon[(k + 1) % polygon.size()])] - at);
+                sum += sign * solidAngle(at,
+                                         mean,
+                                         positions_[index(polygon[k])],
+                                         positions_[index(polygon[(k + 1) % polygon.size()])]);
         }
         return sum / (4 * std::numbers::pi);
     }
@@ -116,36 +110,39 @@ private:
     /// Voids (pieces of surface alone that enclose a negative volume) go to the piece that holds
     /// them.
     void adoptVoids() {
-        std::vector<Label> roots;
+        std::vector<Label> pieces;
         std::vector<bool> hasMeshFace(polygons_.size(), false);
         for (Label i = 0; i < toLabel(polygons_.size()); ++i) {
-            const Label r = shells_.shellOf(i);
-            if (i == r) roots.push_back(r);
-            if (!polygons_[index(i)].isBoundary) hasMeshFace[index(r)] = true;
+            const Label piece = shells_.shellOf(i);
+            if (i == piece) pieces.push_back(piece);
+            if (!polygons_[index(i)].isBoundary) hasMeshFace[index(piece)] = true;
         }
-        if (roots.size() < 2) return;
+        if (pieces.size() < 2) return;
         const Vec3 apex = positions_[index(points(polygons_[0])[0])];
-        const auto isVoid = [&](Label r) {
-            return !hasMeshFace[index(r)] && signedVolume(r, apex) < 0;
+        const auto isVoid = [&](Label piece) {
+            return !hasMeshFace[index(piece)] && signedVolume(piece, apex) < 0;
         };
-        std::vector<Label> voids;
-        std::ranges::copy_if(roots, std::back_inserter(voids), isVoid);
+        const auto voids = std::ranges::stable_partition(pieces, std::not_fn(isVoid));
+        const std::span<const Label> bodies(pieces.begin(), voids.begin());
         std::vector<std::array<Label, 2>> adoptions; // all found before pieces change
-        for (const Label v : voids) {
-            const Vec3 at = middleOf(v);
-            Label holder = -1;
-            double most = 0.01;
-            for (const Label r : roots) {
-                if (std::ranges::find(voids, r) != voids.end()) continue;
-                if (const double winding = windingOf(r, at); winding > most) {
-                    most = winding;
-                    holder = r;
-                }
+        for (const Label piece : voids)
+            if (const Label holder = holderOf(piece, bodies); holder >= 0)
+                adoptions.push_back({piece, holder});
+        for (const auto& [piece, holder] : adoptions)
+            shells_.unite(piece, holder);
+    }
+
+    /// The one of the bodies that surrounds a void most, -1 when none does.
+    Label holderOf(Label voidPiece, std::span<const Label> bodies) {
+        const Vec3 at = middleOf(voidPiece);
+        Label holder = -1;
+        double most = 0.01;
+        for (const Label body : bodies)
+            if (const double winding = windingOf(body, at); winding > most) {
+                most = winding;
+                holder = body;
             }
-            if (holder >= 0) adoptions.push_back({v, holder});
-        }
-        for (const auto& [v, holder] : adoptions)
-            shells_.unite(v, holder);
+        return holder;
     }
 
     /// Mean of the polygons' means: a point of a void that touches its holder lies on neither.

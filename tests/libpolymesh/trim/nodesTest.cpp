@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/trim/nodes.h"
 
+#include "libpolymesh/geometry/solidAngle.h"
 #include "libpolymesh/mesh/cellGeometry.h"
 #include "tests/libpolymesh/trim/arranged.h"
 #include "tests/support/meshes.h"
@@ -18,16 +19,8 @@ namespace {
 /// The winding number as the solid angle that the triangles fill, over the whole sphere's.
 int solidAngleWinding(const TriSurface& surface, const Vec3& p) {
     double sum = 0;
-    for (Label t = 0; t < surface.triangleCount(); ++t) {
-        const Vec3 a = surface.corner(t, 0) - p;
-        const Vec3 b = surface.corner(t, 1) - p;
-        const Vec3 c = surface.corner(t, 2) - p;
-        const double la = norm(a);
-        const double lb = norm(b);
-        const double lc = norm(c);
-        sum += 2 * std::atan2(dot(a, cross(b, c)),
-                              la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
-    }
+    for (Label t = 0; t < surface.triangleCount(); ++t)
+        sum += solidAngle(p, surface.corner(t, 0), surface.corner(t, 1), surface.corner(t, 2));
     return static_cast<int>(std::lround(sum / (4 * std::numbers::pi)));
 }
 

@@ -15,7 +15,7 @@
 #include "tests/formats/surfaceFilesTest.h"
 #include "tests/support/meshes.h"
 #include "tests/support/surfaces.h"
-#include "tests/support/trimOptions.h"
+#include "tests/support/trimmed.h"
 
 #include <gtest/gtest.h>
 
@@ -66,13 +66,6 @@ PolyMesh boxOf(const TriSurface& surface, double cells) {
     const Vec3 size = bounds.size();
     const double cellSize = std::cbrt(size.x * size.y * size.z / cells);
     return cartesianMesh(boxAround(bounds, cellSize, defaultMargin(cellSize)));
-}
-
-PolyMesh trimmed(const PolyMesh& mesh, const TriSurface& surface, const TrimOptions& options) {
-    PolyMesh result = trim(mesh, surface, options).mesh;
-    for (const Defect& defect : validate(result))
-        ADD_FAILURE() << defect.message;
-    return result;
 }
 
 void expectExact(const PolyMesh& mesh, const TriSurface& surface, const std::string& name) {

@@ -16,9 +16,11 @@ bool isWordCharacter(char c) {
            forbidden.find(c) == std::string_view::npos;
 }
 
-bool looksLikeNumber(std::string_view word) {
-    const auto first = word.find_first_not_of("+-.");
-    return first != std::string_view::npos && word[first] >= '0' && word[first] <= '9';
+/// OpenFOAM's scanner takes these for the beginning of a number or for punctuation; within a word
+/// they are characters as any other.
+bool cannotBegin(char c) {
+    constexpr std::string_view forbidden = "0123456789+-.*:=";
+    return forbidden.find(c) != std::string_view::npos;
 }
 
 } // namespace
@@ -39,7 +41,7 @@ Rows<Label> trianglesOfRegions(const TriSurface& surface) {
 std::string toWord(std::string_view name) {
     std::string word;
     std::ranges::copy_if(name, std::back_inserter(word), isWordCharacter);
-    if (looksLikeNumber(word)) word.insert(word.begin(), '_');
+    if (!word.empty() && cannotBegin(word.front())) word.insert(word.begin(), '_');
     return word;
 }
 

@@ -15,7 +15,7 @@ Rows<Label> trianglesOfRegions(const TriSurface& surface);
 
 /// `name` without the characters that OpenFOAM's dictionaries do not take in a word (blanks,
 /// quotes, brackets, / ; $ # and the like), as OpenFOAM's own readers do it, and with an underscore
-/// in front if it would be taken for a number.
+/// in front if it begins with a digit or one of + - . * : = (these readers would stumble there).
 std::string toWord(std::string_view name);
 
 } // namespace polymesh

@@ -81,6 +81,11 @@ TEST(ToWord, dropsWhatDictionariesDoNotTake) {
     EXPECT_EQ(toWord("12"), "_12");
     EXPECT_EQ(toWord("-1.5e3"), "_-1.5e3");
     EXPECT_EQ(toWord(" \t"), "");
+    // OpenFOAM v1912 refuses a boundary file with these names as they are.
+    for (const char* name : {"-wall", "+x", ".hidden", "..", "*", ":a", "=b", "3d"})
+        EXPECT_EQ(toWord(name), "_" + std::string(name));
+    for (const char* name : {"a-b", "a.1", "x:y", "a=b", "a*", "_1", "inf", "e5", "!x", "%1"})
+        EXPECT_EQ(toWord(name), name);
 }
 
 TEST(TrianglesOfRegions, listsThemInAscendingOrder) {

@@ -9,7 +9,7 @@
 
 namespace polymesh::obj {
 
-/// Reads a Wavefront OBJ file's content: `v` and `f` (polygons become fans; indices from 1, or
+/// Reads a Wavefront OBJ file's content: `v` and `f` (polygons become triangles; indices from 1, or
 /// negative from the last vertex back). Other statements are passed over.
 ///
 /// Regions are the groups `g` (the first name on the line, as OpenFOAM does it); without any the

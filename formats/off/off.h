@@ -10,8 +10,8 @@
 namespace polymesh::off {
 
 /// Reads the content of a text OFF file (also COFF, NOFF, STOFF and so on, without the additional
-/// values). One vertex and one face a line, `#` begins a comment; polygons become fans. The whole
-/// is one region, `name`; `fileName` is for messages.
+/// values). One vertex and one face a line, `#` begins a comment; polygons become triangles. The
+/// whole is one region, `name`; `fileName` is for messages.
 ///
 /// Throws InputError (file and line) for anything malformed, and when there is no triangle.
 TriSurface read(std::string_view text, const std::string& fileName, std::string_view name);

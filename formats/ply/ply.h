@@ -11,7 +11,7 @@ namespace polymesh::ply {
 
 /// Reads a PLY file's content: text or binary of either byte order. Used are x, y and z of the
 /// element `vertex` and the list `vertex_indices` (or `vertex_index`) of `face`; polygons become
-/// fans. The whole is one region, `name`; `fileName` is for messages.
+/// triangles. The whole is one region, `name`; `fileName` is for messages.
 ///
 /// Throws InputError (file and line or offset) for anything malformed, and when there is no
 /// triangle.

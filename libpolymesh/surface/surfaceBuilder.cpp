@@ -3,6 +3,7 @@
 #include "libpolymesh/surface/surfaceBuilder.h"
 
 #include "libpolymesh/base/error.h"
+#include "libpolymesh/surface/polygonTriangles.h"
 #include "libpolymesh/surface/regions.h"
 
 #include <algorithm>
@@ -114,8 +115,12 @@ Label SurfaceBuilder::addRegion(std::string_view name) {
 }
 
 void SurfaceBuilder::addPolygon(std::span<const Label> corners, Label region) {
-    for (std::size_t i = 2; i < corners.size(); ++i)
-        addTriangle(corners[0], corners[i - 1], corners[i], region);
+    if (corners.size() == 3) return addTriangle(corners[0], corners[1], corners[2], region);
+    std::vector<Vec3> polygon;
+    for (Label corner : corners)
+        polygon.push_back(surface_.points[index(corner)]);
+    for (const auto& [a, b, c] : polygonTriangles(polygon))
+        addTriangle(corners[a], corners[b], corners[c], region);
 }
 
 void SurfaceBuilder::addTriangle(Label a, Label b, Label c, Label region) {

@@ -25,7 +25,7 @@ public:
     /// that finish() names.
     Label addRegion(std::string_view name);
 
-    /// Adds the fan of triangles from the first corner.
+    /// Adds the polygon as triangles: see polygonTriangles.h. Less than three corners add nothing.
     void addPolygon(std::span<const Label> corners, Label region);
 
     Label pointCount() const { return toLabel(surface_.points.size()); }

@@ -18,6 +18,8 @@ namespace {
 constexpr double aim = 0.97;
 /// Leans above this one count as beyond the limit.
 constexpr double leanAim = 1 - 1e-6;
+/// Edges from a point may become as short as this by the longest.
+constexpr double even = 0.03;
 
 void sortUnique(std::vector<Label>& labels) {
     std::ranges::sort(labels);
@@ -150,6 +152,17 @@ double PointStar::reach() const {
     return std::sqrt(least);
 }
 
+double PointStar::evenness() const {
+    double least = std::numeric_limits<double>::max();
+    double most = 0;
+    for (const Label other : others()) {
+        const double length2 = squaredNorm(moving_.mesh().points[index(other)] - place());
+        least = std::min(least, length2);
+        most = std::max(most, length2);
+    }
+    return std::sqrt(least / most);
+}
+
 double PointStar::held() const {
     double sum = 0;
     for (const Label face : boundaryFaces_)
@@ -204,6 +217,7 @@ PointStar::Measures PointStar::measures() const {
     }
     for (const PartCorner& corner : corners_)
         result.jacobian = std::min(result.jacobian, scaledJacobian(moving_.mesh().points, corner));
+    result.evenness = evenness();
     return result;
 }
 
@@ -216,6 +230,7 @@ bool PointStar::isNoWorse(double least) const {
             return true;
         };
     return now.jacobian >= std::min(remembered_.jacobian, least) &&
+           now.evenness >= std::min(remembered_.evenness, even) &&
            keeps(now.byLimit, remembered_.byLimit, 1) &&
            keeps(now.leans, remembered_.leans, 1 - least);
 }

@@ -45,7 +45,8 @@ public:
     void remember();
 
     /// Whether everything is within the limits or no further beyond them than when taken down, and
-    /// no corner's Jacobian nor cosine of a lean (movingMesh.h) below `least` and what was then.
+    /// no corner's Jacobian nor cosine of a lean (movingMesh.h) below `least` and what was then,
+    /// nor the point about to fall together with another.
     bool isNoWorse(double least) const;
 
 private:
@@ -53,9 +54,11 @@ private:
         std::vector<double> byLimit; // stretches of cells, skewness of faces
         std::vector<double> leans;   // of faces
         double jacobian = 1;         // the least scaled one at corners that have the point
+        double evenness = 1;         // the shortest by the longest edge from the point
     };
 
     Measures measures() const;
+    double evenness() const;
     void findCorners(Label cell);
     void findAxes();
 

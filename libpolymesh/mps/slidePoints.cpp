@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -31,10 +32,10 @@ public:
         std::optional<Move> best;
         for (const Label point : crossingPoints(cell)) {
             const auto cells = pointCells_[point];
-            const Label before = crossings(cells);
+            const Label before = crossings(cells, all);
             for (const Vec3& to : placesFor(point)) {
                 const Vec3 from = std::exchange(mesh_.points[index(point)], to);
-                const Label left = crossings(cells);
+                const Label left = crossings(cells, before - (best ? best->gain : 0));
                 if (left == 0) return true;
                 mesh_.points[index(point)] = from;
                 const Label gain = before - left;
@@ -52,6 +53,8 @@ private:
         Label gain;
     };
 
+    static constexpr Label all = std::numeric_limits<Label>::max();
+
     TriangulatedFaces trianglesOf(std::span<const Label> cells) const {
         std::vector<Label> faces;
         for (const Label cell : cells)
@@ -62,11 +65,14 @@ private:
         return triangles;
     }
 
-    Label crossings(std::span<const Label> cells) const {
+    /// How many triangles of the cells cross; as soon as there are `most`, counting ends.
+    Label crossings(std::span<const Label> cells, Label most) const {
         const TriangulatedFaces triangles = trianglesOf(cells);
         Label count = 0;
-        for (const Label cell : cells)
+        for (const Label cell : cells) {
+            if (count >= most) break;
             count += crossingsOf(triangles.hullOf(cell));
+        }
         return count;
     }
 

@@ -280,6 +280,7 @@ void TriangulatedFaces::chooseOneByOne(Label cell) {
         Triangles best = released(face);
         Label fewest = crossingsBeside(face);
         for (const Choice& choice : choicesFor(face)) {
+            if (fewest == 0) break;
             *find(face) = choice.triangles;
             const Label count = crossingsBeside(face);
             if (count < fewest) best = choice.triangles;
@@ -307,6 +308,7 @@ void TriangulatedFaces::choosePair(Label cell, Label one, Label other) {
     if (choices.size() * others.size() > most) others.clear();
     for (const Choice& a : choices)
         for (const Choice& b : others) {
+            if (fewest == 0) break;
             if (std::ranges::find_first_of(a.diagonals, b.diagonals) != a.diagonals.end()) continue;
             *find(one) = a.triangles;
             *find(other) = b.triangles;

@@ -184,6 +184,34 @@ std::size_t remedied(PolyMesh& mesh) {
     return joined;
 }
 
+/// A pyramid on a flat tetrahedron, which has the two diagonals of the base.
+PolyMesh pyramidOnASliver() {
+    return test::meshOf({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 1}},
+                        {{{0, 2, 1}, {0, 3, 2}, {0, 1, 3}, {1, 2, 3}},
+                         {{0, 3, 1}, {1, 3, 2}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}});
+}
+
+TEST(Remedies, aFlatCellIsJoinedWithItsNeighbour) {
+    if (!hasTetgen()) GTEST_SKIP() << "built without TetGen";
+    PolyMesh mesh = pyramidOnASliver();
+    EXPECT_GT(remedied(mesh), 0U);
+}
+
+TEST(Remedies, aFlatCellInAZoneOfItsOwnIsNotJoined) {
+    constexpr int steps = 4;
+    PolyMesh mesh = pyramidOnASliver();
+    mesh.cellZones.push_back({"sliver", {0}, {}});
+    SubdivisionPlan plan = planSubdivision(mesh);
+    ASSERT_TRUE(std::ranges::binary_search(plan.inverted, 0));
+    for (int step = 0; step < steps; ++step) {
+        const Remedies remedies =
+            remediesOf(mesh, plan, plan.inverted, {{}, tetgenTetrahedraliser()});
+        EXPECT_TRUE(remedies.joined.empty());
+        mesh = withRemedies(mesh, remedies);
+        plan = planSubdivision(mesh);
+    }
+}
+
 TEST(Remedies, aUEndsAsPartsThatAreAllRight) {
     if (!hasTetgen()) GTEST_SKIP() << "built without TetGen";
     PolyMesh mesh = uShape();

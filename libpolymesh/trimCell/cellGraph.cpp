@@ -171,13 +171,7 @@ private:
         }
         const PointName end{Kind::vertex, edge.end, -1};
         if (isIn) add(end);
-        if (isIn != isVertexInside(edge.end))
-            throw WorkError(fmt::format("the surface edge to ({} {} {}) and rays disagree about "
-                                        "what is in a mesh cell; please report this surface and "
-                                        "mesh",
-                                        placeOf(inputs_, end).x,
-                                        placeOf(inputs_, end).y,
-                                        placeOf(inputs_, end).z));
+        if (isIn != isVertexInside(edge.end)) refuseSurfaceAt(inputs_, end);
     }
 
     const CellInputs& inputs_;
@@ -217,8 +211,9 @@ Vec3 placeOf(const CellInputs& inputs, const PointName& point) {
 void refuseSurfaceAt(const CellInputs& inputs, const PointName& point) {
     const Vec3 p = placeOf(inputs, point);
     throw InputError(fmt::format(
-        "the surface intersects itself near ({} {} {}), so that inside and outside are not defined "
-        "there; repair the surface (unite overlapping parts), or try -algorithm mesh",
+        "the surface intersects itself near ({} {} {}), or the mesh overlaps itself there, so that "
+        "inside and outside are not defined; repair the surface (unite overlapping parts) and try "
+        "again, or the mesh (checkMesh tells)",
         p.x,
         p.y,
         p.z));

@@ -65,7 +65,7 @@ CellGraph buildGraph(const CellInputs& inputs,
 /// A place to name in messages: of the node, the edge or the vertex that makes the point.
 Vec3 placeOf(const CellInputs& inputs, const PointName& point);
 
-/// Throws InputError: inside and outside are not defined near the point.
+/// Throws InputError: surface or mesh overlap themselves near the point.
 [[noreturn]] void refuseSurfaceAt(const CellInputs& inputs, const PointName& point);
 
 } // namespace polymesh

@@ -5,6 +5,7 @@
 #include "libpolymesh/base/parallel.h"
 #include "libpolymesh/trim/settleNodes.h"
 #include "libpolymesh/trimCell/joinOutlines.h"
+#include "libpolymesh/trimCell/joinPieces.h"
 
 namespace polymesh {
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "libpolymesh/trim/loops.h"
-#include "libpolymesh/trim/pieces.h"
 #include "libpolymesh/trimCell/joinSites.h"
 
 namespace polymesh {
@@ -14,8 +13,5 @@ namespace polymesh {
 /// Cost: O(steps) and small sorts.
 FaceLoops
 joinOutlines(const JoinInputs& inputs, const PointPositions& positions, Arrangement& arrangement);
-
-/// Lists the parts of triangles in all cells. Cost: O(steps).
-CellPieces joinPieces(const JoinInputs& inputs, const Arrangement& arrangement);
 
 } // namespace polymesh

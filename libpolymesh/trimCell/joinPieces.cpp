@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The polymesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "libpolymesh/trimCell/joinPieces.h"
+
 #include "libpolymesh/base/parallel.h"
-#include "libpolymesh/trimCell/joinOutlines.h"
 
 #include <algorithm>
 

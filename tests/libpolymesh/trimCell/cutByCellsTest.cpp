@@ -68,6 +68,45 @@ TEST(CutByCells, givesTheSameCutOnGridPlanesEdgesAndNodes) {
                 mesh, sphere(0, radius, {x, 0.5, 0.5}), fmt::format("octahedron {} {}", radius, x));
 }
 
+/// A node, the middle of an edge, of a face or of a diagonal of one, or any place.
+Vec3 placeOnMesh(std::mt19937& random, const PolyMesh& mesh) {
+    const auto face = mesh.faces[static_cast<Label>(random() % index(mesh.faceCount()))];
+    const auto n = face.size();
+    const auto at = [&](std::size_t i) { return mesh.points[index(face[i % n])]; };
+    const std::size_t i = random() % n;
+    switch (random() % 5) {
+    case 0:
+        return at(i);
+    case 1:
+        return 0.5 * (at(i) + at(i + 1));
+    case 2:
+        return 0.5 * (at(i) + at(i + 2));
+    case 3: {
+        Vec3 sum;
+        for (std::size_t k = 0; k < n; ++k)
+            sum += at(k);
+        return sum / static_cast<double>(n);
+    }
+    default:
+        return placeIn(random, 0, 1);
+    }
+}
+
+TEST(CutByCells, givesTheSameCutWhereCornersLieOnTheMesh) {
+    std::mt19937 random(9);
+    for (unsigned i = 0; i < 600; ++i) {
+        const PolyMesh mesh = i % 2 == 0 ? box(2, 2, 2) : jittered(box(2, 2, 2), 0.0002 * i, i);
+        std::vector<Vec3> corners(4);
+        std::ranges::generate(corners, [&] { return placeOnMesh(random, mesh); });
+        const int side = orient3d(corners[0], corners[1], corners[2], corners[3]);
+        if (side == 0) continue;
+        if (side > 0) std::swap(corners[0], corners[1]);
+        expectSameCut(mesh,
+                      surfaceOf(corners, {{0, 1, 2}, {1, 0, 3}, {2, 1, 3}, {0, 2, 3}}),
+                      fmt::format("tetrahedron {}", i));
+    }
+}
+
 TEST(CutByCells, givesTheSameCutForPartsThatTouchThemselves) {
     std::mt19937 random(4);
     for (unsigned i = 0; i < 10; ++i) {
@@ -165,7 +204,7 @@ TEST(CutByCells, anyOptionGivesTheSameBytes) {
     const TriSurface part = join(cuboid({0.21, 0.2, 0.2}, {0.5, 0.77, 0.6}, "block"),
                                  dentedSphere(2, {0.75, 0.5, 0.5}, 0.2, 0.3, 7));
     for (const Keep keep : {Keep::inside, Keep::outside})
-        for (const double deviation : {0.0, 0.02, 0.1})
+        for (const double deviation : {0.0, 0.1})
             for (const Adjust how : {Adjust::none, Adjust::project, Adjust::repel}) {
                 TrimOptions options;
                 options.keep = keep;

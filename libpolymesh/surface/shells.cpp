@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/surface/shells.h"
 
+#include "libpolymesh/base/disjointSets.h"
 #include "libpolymesh/geometry/predicates.h"
 #include "libpolymesh/surface/components.h"
 #include "libpolymesh/surface/coplanar.h"
@@ -10,35 +11,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 namespace polymesh {
 
 namespace {
-
-/// Disjoint sets of labels.
-class Groups {
-public:
-    explicit Groups(Label count) : parent_(index(count)) {
-        std::iota(parent_.begin(), parent_.end(), Label{0});
-    }
-
-    Label find(Label label) {
-        while (parent_[index(label)] != label)
-            label = parent_[index(label)] = parent_[index(parent_[index(label)])];
-        return label;
-    }
-
-    /// The lower label stands for the joint group.
-    void join(Label a, Label b) {
-        a = find(a);
-        b = find(b);
-        parent_[index(std::max(a, b))] = std::min(a, b);
-    }
-
-private:
-    std::vector<Label> parent_;
-};
 
 /// Which components have sides that they do not close themselves: joins those that meet there, and
 /// marks those that leave a gap.
@@ -71,12 +47,12 @@ public:
     Rows<Label> closedGroups(Label& openParts) {
         std::vector<char> isOpenGroup(isOpen_.size(), 0);
         for (Label c = 0; c < components_.count; ++c)
-            if (isOpen_[index(c)] != 0) isOpenGroup[index(groups_.find(c))] = 1;
+            if (isOpen_[index(c)] != 0) isOpenGroup[index(groups_.lowest(c))] = 1;
         std::vector<Label> shellOf(isOpen_.size(), -1);
         Label count = 0;
         openParts = 0;
         for (Label c = 0; c < components_.count; ++c) {
-            if (groups_.find(c) != c) continue;
+            if (groups_.lowest(c) != c) continue;
             if (isOpenGroup[index(c)] != 0)
                 ++openParts;
             else
@@ -84,7 +60,7 @@ public:
         }
         std::vector<std::vector<Label>> members(index(count));
         for (Label t = 0; t < toLabel(components_.ofTriangle.size()); ++t) {
-            const Label shell = shellOf[index(groups_.find(components_.ofTriangle[index(t)]))];
+            const Label shell = shellOf[index(groups_.lowest(components_.ofTriangle[index(t)]))];
             if (shell >= 0) members[index(shell)].push_back(t);
         }
         Rows<Label> rows;
@@ -95,7 +71,7 @@ public:
 
 private:
     const Components& components_;
-    Groups groups_;
+    DisjointSets groups_; // of components
     std::vector<char> isOpen_;
     std::map<Label, int> excess_; // of the edge at hand: component -> uses up minus down
 };

@@ -8,6 +8,8 @@
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/intersections.h>
 #include <map>
+#include <utility>
+#include <vector>
 
 namespace polymesh {
 
@@ -86,9 +88,23 @@ struct InsertCommon {
     }
 };
 
+using Common = decltype(CGAL::intersection(std::declval<ExactKernel::Triangle_3>(),
+                                           std::declval<ExactKernel::Triangle_3>()));
+
+/// What the triangles of each pair have in common: found once for both.
+std::vector<Common> intersections(const TriSurface& surface,
+                                  std::span<const std::array<Label, 2>> pairs) {
+    std::vector<Common> common;
+    common.reserve(pairs.size());
+    for (const auto& [s, t] : pairs)
+        common.push_back(CGAL::intersection(exactTriangle(surface, s), exactTriangle(surface, t)));
+    return common;
+}
+
 class SoupMaker {
 public:
-    explicit SoupMaker(const TriSurface& surface) : surface_(surface) {
+    SoupMaker(const TriSurface& surface, std::span<const std::array<Label, 2>> pairs)
+        : surface_(surface), common_(intersections(surface, pairs)) {
         soup_.points.reserve(surface.points.size());
         for (const Vec3& p : surface.points)
             soup_.points.push_back(toExact(p));
@@ -96,25 +112,24 @@ public:
 
     void addWhole(Label t) { addTriangle(surface_.triangles[index(t)], t); }
 
-    void addDivided(Label t, std::span<const Label> others) {
+    void addDivided(Label t, std::span<const Label> pairs) {
         // Only corners of divided triangles can be new points of others.
         for (Label corner : surface_.triangles[index(t)])
             labels_.try_emplace(soup_.points[index(corner)], corner);
-        divide(t, others);
+        divide(t, pairs);
     }
 
     ExactSoup take() { return std::move(soup_); }
 
 private:
-    void divide(Label t, std::span<const Label> others) {
+    void divide(Label t, std::span<const Label> pairs) {
         const ExactKernel::Triangle_3 triangle = exactTriangle(surface_, t);
         const View view(triangle);
         Triangulation triangulation;
         const InsertCommon insert{view, triangulation};
         insert(triangle);
-        for (Label other : others)
-            if (const auto common = CGAL::intersection(triangle, exactTriangle(surface_, other)))
-                boost::apply_visitor(insert, *common);
+        for (Label pair : pairs)
+            if (const Common& common = common_[index(pair)]) boost::apply_visitor(insert, *common);
         std::map<Triangulation::Vertex_handle, Label> labels;
         for (const auto vertex : triangulation.finite_vertex_handles())
             labels[vertex] = addPoint(view.lift(vertex->point()));
@@ -138,19 +153,19 @@ private:
     }
 
     const TriSurface& surface_;
+    std::vector<Common> common_; // one per pair
     ExactSoup soup_;
     std::map<ExactPoint, Label> labels_; // in the order of coordinates
 };
 
-/// For each triangle those that it intersects, both ways.
-Rows<Label> partnersOf(Label triangleCount, std::span<const std::array<Label, 2>> pairs) {
-    std::vector<std::vector<Label>> partners(index(triangleCount));
-    for (const auto& [s, t] : pairs) {
-        partners[index(s)].push_back(t);
-        partners[index(t)].push_back(s);
-    }
+/// For each triangle the pairs that it is in.
+Rows<Label> pairsOf(Label triangleCount, std::span<const std::array<Label, 2>> pairs) {
+    std::vector<std::vector<Label>> found(index(triangleCount));
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+        for (Label t : pairs[i])
+            found[index(t)].push_back(toLabel(i));
     Rows<Label> rows;
-    for (const auto& row : partners)
+    for (const auto& row : found)
         rows.add(row);
     return rows;
 }
@@ -158,15 +173,15 @@ Rows<Label> partnersOf(Label triangleCount, std::span<const std::array<Label, 2>
 } // namespace
 
 ExactSoup divideTriangles(const TriSurface& surface, std::span<const std::array<Label, 2>> pairs) {
-    const Rows<Label> partners = partnersOf(surface.triangleCount(), pairs);
-    SoupMaker soup(surface);
+    const Rows<Label> own = pairsOf(surface.triangleCount(), pairs);
+    SoupMaker soup(surface, pairs);
     for (Label t = 0; t < surface.triangleCount(); ++t) {
         if (areCollinear(surface.corner(t, 0), surface.corner(t, 1), surface.corner(t, 2)))
             continue;
-        if (partners.rowSize(t) == 0)
+        if (own.rowSize(t) == 0)
             soup.addWhole(t);
         else
-            soup.addDivided(t, partners[t]);
+            soup.addDivided(t, own[t]);
     }
     return soup.take();
 }

@@ -122,8 +122,10 @@ private:
         const auto isVoid = [&](Label piece) {
             return !hasMeshFace[index(piece)] && signedVolume(piece, apex) < 0;
         };
-        const auto voids = std::ranges::stable_partition(pieces, std::not_fn(isVoid));
-        const std::span<const Label> bodies(pieces.begin(), voids.begin());
+        const auto firstVoid =
+            std::stable_partition(pieces.begin(), pieces.end(), std::not_fn(isVoid));
+        const std::span<const Label> bodies(pieces.begin(), firstVoid);
+        const std::span<const Label> voids(firstVoid, pieces.end());
         std::vector<std::array<Label, 2>> adoptions; // all found before pieces change
         for (const Label piece : voids)
             if (const Label holder = holderOf(piece, bodies); holder >= 0)

@@ -253,8 +253,10 @@ bool reportSplit(ToolRun& tool, const MpsFigures& figures, const PolyMesh& resul
              hexahedra,
              pyramids,
              100.0 * static_cast<double>(pyramids) / std::max<Label>(1, result.cellCount));
+    tool.say(
+        "           as theory demands: one for each node of valence 3, 2v for each other one{}",
+        figures.part.isPart ? ", of the cells that are divided" : "");
     reportPart(tool, figures.part);
-    tool.say("           as theory demands: one for each node of valence 3, 2v for each other one");
     tool.say("volume     {:.9g} m^3, {:.2g} of it off that of the undivided mesh",
              volume,
              std::abs(volume / figures.undivided.volume - 1));

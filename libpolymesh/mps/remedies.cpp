@@ -8,6 +8,7 @@
 #include "libpolymesh/mps/cellLoops.h"
 #include "libpolymesh/mps/joinCells.h"
 #include "libpolymesh/mps/searchCells.h"
+#include "libpolymesh/mps/splitFaces.h"
 #include "libpolymesh/mps/triangulatedFaces.h"
 
 #include <algorithm>
@@ -30,16 +31,6 @@ struct Step {
     std::optional<CellCones> cones;
     std::vector<Label> partners;
 };
-
-/// The faces of cells, ascending.
-std::vector<Label> facesOf(const SubdivisionPlan& plan, std::span<const Label> cells) {
-    std::vector<Label> faces;
-    for (const Label cell : cells)
-        faces.insert(faces.end(), plan.cellFaces[cell].begin(), plan.cellFaces[cell].end());
-    std::ranges::sort(faces);
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-    return faces;
-}
 
 /// The cells and those beside them, with which they may be joined, ascending.
 std::vector<Label>

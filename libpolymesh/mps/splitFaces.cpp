@@ -198,7 +198,8 @@ Zone zoneOfPieces(const Zone& zone, const std::vector<Label>& first) {
     return result;
 }
 
-/// The faces of cells, ascending.
+} // namespace
+
 std::vector<Label> facesOf(const SubdivisionPlan& plan, std::span<const Label> cells) {
     std::vector<Label> faces;
     for (const Label cell : cells)
@@ -207,8 +208,6 @@ std::vector<Label> facesOf(const SubdivisionPlan& plan, std::span<const Label> c
     faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
     return faces;
 }
-
-} // namespace
 
 PolyMesh withPieces(PolyMesh mesh, std::span<const FacePieces> faces) {
     if (faces.empty()) return mesh;

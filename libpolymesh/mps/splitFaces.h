@@ -21,6 +21,9 @@ struct FacePieces {
 /// zones of the face and between its cells. Cost: linear.
 PolyMesh withPieces(PolyMesh mesh, std::span<const FacePieces> faces);
 
+/// The faces of cells, ascending.
+std::vector<Label> facesOf(const SubdivisionPlan& plan, std::span<const Label> cells);
+
 /// How faces of cells with inverted parts may be split by diagonals, for both their cells.
 ///
 /// A corner of a face is judged by the scaled volume that its two edges span with the direction

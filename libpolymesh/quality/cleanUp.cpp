@@ -7,7 +7,9 @@
 #include "libpolymesh/quality/editParts.h"
 #include "libpolymesh/quality/mergeCells.h"
 #include "libpolymesh/quality/mergeFaces.h"
+#include "libpolymesh/quality/meshEditor.h"
 #include "libpolymesh/quality/removeZeroSize.h"
+#include "libpolymesh/quality/repairCells.h"
 #include "libpolymesh/quality/separatePinches.h"
 #include "libpolymesh/quality/splitConcaveCells.h"
 
@@ -31,6 +33,12 @@ void removeWhatHasNoSize(EditMesh& mesh,
     if (mayPinch || collapsed.brokenCells > 0) counts.brokenCells = separatePinches(editor);
 }
 
+void add(const RepairCounts& repaired, CleanUpCounts& counts) {
+    counts.cutCells += repaired.cuts;
+    counts.repairs += repaired.merges + repaired.collapses + repaired.splits + repaired.remakes;
+    counts.work += repaired.work;
+}
+
 /// Returns what was done; `badCells` become the cells that checkMesh still fails.
 CleanUpCounts improve(EditMesh& mesh, const CleanUpOptions& options, std::vector<Label>& badCells) {
     MeshEditor editor(mesh);
@@ -39,11 +47,9 @@ CleanUpCounts improve(EditMesh& mesh, const CleanUpOptions& options, std::vector
     counts.mergedCells = mergeSmallCells(editor, options.minVolume);
     if (!options.mendsCells) return counts;
     counts.cutCells = splitConcaveCells(editor, options.concaveAngle).cuts;
-    const RepairCounts repaired = repairCells(editor, options.effort);
-    counts.cutCells += repaired.cuts;
-    counts.repairs = repaired.merges + repaired.collapses + repaired.splits + repaired.remakes;
-    counts.work = repaired.work;
-    badCells = repaired.left;
+    RepairCounts repaired = repairCells(editor);
+    add(repaired, counts);
+    badCells = std::move(repaired.left);
     return counts;
 }
 
@@ -71,17 +77,30 @@ std::vector<Label> improveParts(EditMesh& mesh,
     return badCells;
 }
 
-/// Improves slab by slab, then along the seams between them. Returns the number of bad cells left.
-Label improveInSlabs(EditMesh& mesh,
-                     CellParts& slabs,
-                     const CleanUpOptions& options,
-                     CleanUpCounts& counts) {
-    const std::vector<Label> bad = improveParts(mesh, slabs, options, counts);
+/// Improves slab by slab, then along the seams between them. Returns the cells that are bad then;
+/// some may have been mended or removed along the seams.
+std::vector<Label> improveInSlabs(EditMesh& mesh,
+                                  CellParts& slabs,
+                                  const CleanUpOptions& options,
+                                  CleanUpCounts& counts) {
+    std::vector<Label> bad = improveParts(mesh, slabs, options, counts);
     CellParts seams = alongSeams(mesh, slabs);
-    Label away = 0; // the others are looked at again
-    for (const Label c : bad)
-        away += seams.ofCell[index(c)] < 0;
-    return away + toLabel(improveParts(mesh, seams, options, counts).size());
+    const std::vector<Label> badAtSeams = improveParts(mesh, seams, options, counts);
+    bad.insert(bad.end(), badAtSeams.begin(), badAtSeams.end());
+    return bad;
+}
+
+/// What single repairs have left, wherever it is. Returns the number of cells left bad.
+Label mendTheRest(EditMesh& mesh,
+                  std::vector<Label> badCells,
+                  const CleanUpOptions& options,
+                  CleanUpCounts& counts) {
+    if (badCells.empty()) return 0;
+    MeshEditor editor(mesh);
+    const RepairCounts repaired =
+        repairThoroughly(editor, std::move(badCells), options.thoroughWork);
+    add(repaired, counts);
+    return toLabel(repaired.left.size());
 }
 
 } // namespace
@@ -92,13 +111,12 @@ cleanUp(EditMesh& mesh, std::span<const Label> representative, const CleanUpOpti
     removeWhatHasNoSize(mesh, representative, options.mayPinch, counts);
     if (options.minEdge <= 0 && options.minVolume <= 0 && !options.mendsCells) return counts;
     CellParts slabs = divideIntoSlabs(mesh, leastCellsOfPart);
-    if (slabs.count > 1) {
-        counts.badCells = improveInSlabs(mesh, slabs, options, counts);
-        return counts;
-    }
     std::vector<Label> badCells;
-    add(improve(mesh, options, badCells), counts);
-    counts.badCells = toLabel(badCells.size());
+    if (slabs.count > 1)
+        badCells = improveInSlabs(mesh, slabs, options, counts);
+    else
+        add(improve(mesh, options, badCells), counts);
+    counts.badCells = mendTheRest(mesh, std::move(badCells), options, counts);
     return counts;
 }
 

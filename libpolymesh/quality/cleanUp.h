@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "libpolymesh/quality/meshEditor.h"
-#include "libpolymesh/quality/repairCells.h"
+#include "libpolymesh/quality/editMesh.h"
 
 #include <cstdint>
 #include <span>
@@ -14,8 +13,8 @@ namespace polymesh {
 struct CleanUpOptions {
     double minEdge = 0;   // collapse edges shorter than this fraction of the cell size; 0: none
     double minVolume = 0; // merge cells smaller than this fraction of the cell size cubed; 0: none
-    bool mendsCells = true; // cut concave cells and repair what checkMesh would fail
-    RepairEffort effort = RepairEffort::thorough; // of repairs
+    bool mendsCells = true;            // cut concave cells and repair what checkMesh would fail
+    std::int64_t thoroughWork = 80000; // most units of WorkBudget on what single repairs leave bad
     bool mayPinch = false;     // cells may touch themselves along edges: see separatePinches.h
     double concaveAngle = 0.1; // [rad] cells are cut at edges with more than 180 degrees and this
 };
@@ -35,8 +34,9 @@ struct CleanUpCounts {
 
 /// All of clean-up in order: what has no size goes, also with all options off (collapsePoints,
 /// removeZeroSize, mergeFaces for coplanar faces); then collapseShortEdges, mergeSmallCells,
-/// splitConcaveCells and repairCells, as the options ask for. docs/cleanUp.md tells more.
-/// Requires: representative as in collapsePoints. Cost: about a microsecond for a cell in order.
+/// splitConcaveCells and repairCells, then repairThoroughly, as the options ask for.
+/// docs/cleanUp.md tells more. Requires: representative as in collapsePoints. Cost: about a
+/// microsecond for a cell in order.
 CleanUpCounts
 cleanUp(EditMesh& mesh, std::span<const Label> representative, const CleanUpOptions& options);
 

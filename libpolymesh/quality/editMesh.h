@@ -41,8 +41,7 @@ struct EditCell { // NOLINT(bugprone-exception-escape): boost's move may allocat
     boost::container::small_vector<Label, 8> faces; // empty: the cell has been removed
     double size = 0;     // [m] edge length of the hexahedron it came from (cube root of its volume)
     bool frozen = false; // outside the edited part: only some of its faces are here; never changed
-    bool inOtherPart = false; // frozen only here: see editParts.h
-    Label origin = -1;        // the cell of the initial mesh that it is a part of
+    Label origin = -1;   // the cell of the initial mesh that it is a part of
 
     bool isRemoved() const { return faces.empty(); }
 };

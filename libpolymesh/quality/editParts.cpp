@@ -107,7 +107,6 @@ private:
         cell.size = whole_.cells[index(c)].size;
         cell.origin = whole_.cells[index(c)].origin;
         cell.frozen = isFrozen;
-        cell.inOtherPart = isFrozen && !whole_.cells[index(c)].frozen;
         cellOf_[index(c)] = toLabel(result_.cells.size());
         result_.mesh.cells.push_back(std::move(cell));
         result_.cells.push_back(c);

@@ -128,18 +128,9 @@ std::vector<Label> stillFailing(MeshEditor& editor, std::vector<Label> cells) {
 
 /// A sequence is worth a thousand tries. Where hundreds of cells fail, the mesh is too coarse for
 /// its surface: to mend some of them would help nobody.
-std::int64_t workForSequences(std::size_t failing) {
+std::int64_t workForSequences(std::int64_t work, std::size_t failing) {
     constexpr std::size_t manyFail = 200;
-    return failing > manyFail ? 20000 : 80000;
-}
-
-/// Whether a cell lies at the seam of a part of a mesh: it is looked at again with what is beyond.
-bool isAtSeam(const MeshEditor& editor, Label cell) {
-    const auto& faces = editor.cell(cell).faces;
-    return std::any_of(faces.begin(), faces.end(), [&](Label f) {
-        const Label other = editor.otherCell(f, cell);
-        return other >= 0 && editor.cell(other).inOtherPart;
-    });
+    return failing > manyFail ? work / 4 : work;
 }
 
 /// Cells that no single move has mended: moves that help together.
@@ -149,8 +140,7 @@ void mendBySequences(MeshEditor& editor,
                      WorkBudget& budget,
                      RepairCounts& counts) {
     constexpr int maxVisits = 4;
-    std::vector<Label> failing = stillFailing(editor, cells);
-    std::erase_if(failing, [&](Label c) { return isAtSeam(editor, c); });
+    const std::vector<Label> failing = stillFailing(editor, cells);
     std::deque<Label> queue(failing.begin(), failing.end());
     std::map<Label, int> visits;
     while (!queue.empty() && !budget.isSpent()) {
@@ -222,26 +212,28 @@ void remakeFailingCells(MeshEditor& editor,
 
 } // namespace
 
-RepairCounts repairCells(MeshEditor& editor, RepairEffort effort) {
+RepairCounts repairCells(MeshEditor& editor) {
     RepairCounts counts;
     std::vector<Label> cells = failingCells(editor);
     WorkBudget budget(40000 + std::int64_t{editor.cellCount()});
     mendFailingCells(editor, cells, budget, counts);
-    if (effort == RepairEffort::thorough) {
-        WorkBudget budgetOfSequences(workForSequences(stillFailing(editor, cells).size()));
-        mendBySequences(editor, cells, budgetOfSequences, counts);
-        remakeFailingCells(editor, cells, budget, counts);
-        if (counts.remakes > 0) mendBySequences(editor, cells, budgetOfSequences, counts);
-        counts.work += budgetOfSequences.used();
-    }
-    counts.work += budget.used();
-    counts.left = stillFailing(editor, cells);
+    counts.work = budget.used();
+    counts.left = stillFailing(editor, std::move(cells));
     return counts;
 }
 
-RepairCounts repairCells(EditMesh& mesh, RepairEffort effort) {
-    MeshEditor editor(mesh);
-    return repairCells(editor, effort);
+RepairCounts repairThoroughly(MeshEditor& editor, std::vector<Label> cells, std::int64_t work) {
+    RepairCounts counts;
+    cells = stillFailing(editor, std::move(cells));
+    counts.bad = toLabel(cells.size());
+    WorkBudget sequences(workForSequences(work, cells.size()));
+    WorkBudget remakes(work);
+    mendBySequences(editor, cells, sequences, counts);
+    remakeFailingCells(editor, cells, remakes, counts);
+    if (counts.remakes > 0) mendBySequences(editor, cells, sequences, counts);
+    counts.work = sequences.used() + remakes.used();
+    counts.left = stillFailing(editor, std::move(cells));
+    return counts;
 }
 
 } // namespace polymesh

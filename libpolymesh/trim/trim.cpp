@@ -54,7 +54,7 @@ void tidyTouchingFaces(EditPart& part, TrimSummary& summary) {
 /// Collapses what coincides, then what the user wants cleaned up. Returns the work on repairs.
 std::int64_t tidy(EditPart& part,
                   const TrimOptions& options,
-                  RepairEffort effort,
+                  std::int64_t thoroughWork,
                   bool mayPinch,
                   TrimSummary& summary) {
     const CleanUpCounts counts = cleanUp(part.mesh,
@@ -62,7 +62,7 @@ std::int64_t tidy(EditPart& part,
                                          {.minEdge = options.minEdge,
                                           .minVolume = options.minVolume,
                                           .mendsCells = options.mendsCells,
-                                          .effort = effort,
+                                          .thoroughWork = thoroughWork,
                                           .mayPinch = mayPinch});
     refuseBroken(counts.brokenCells);
     summary.mergedCells += counts.zeroCells + counts.mergedCells;
@@ -159,29 +159,30 @@ public:
                const TrimOptions& options)
         : mesh_(mesh), cut_(cut), surface_(surface), options_(options) {}
 
-    /// Makes pieces. Where single repairs leave bad cells, these are made again with more and less
-    /// of the surface round them: they come out otherwise, and the rest as before. Then the same
-    /// with thorough repairs. Requires: no node is settled.
+    /// Makes pieces. Where repairs leave bad cells, these are made again with more and less of the
+    /// surface round them: they come out otherwise, and the rest as before.
+    /// Requires: no node is settled.
     CleanPieces best() {
-        if (options_.deviation <= 0 || !options_.mendsCells)
-            return make({}, RepairEffort::thorough);
-        CleanPieces best = make({}, RepairEffort::quick);
+        if (options_.deviation <= 0 || !options_.mendsCells) return make({}, workOfOnlyTry);
+        CleanPieces best = make({}, workOfEachTry);
         if (best.summary.badCells == 0) return best;
         options_.onStage("try again");
         options_.onStage = [](const std::string&) {};
-        tryOtherDeviations(RepairEffort::quick, best);
-        if (best.summary.badCells == 0) return best;
-        takeIfBetter(places_, RepairEffort::thorough, best);
-        tryOtherDeviations(RepairEffort::thorough, best);
+        tryOtherDeviations(best);
         return best;
     }
 
     /// Makes pieces once. Where they cannot be cleaned up (WorkError), `openPart` is them.
-    CleanPieces only(EditPart& openPart) { return make({}, RepairEffort::thorough, &openPart); }
+    CleanPieces only(EditPart& openPart) { return make({}, workOfOnlyTry, &openPart); }
 
 private:
-    CleanPieces
-    make(std::span<const FidelityPlace> places, RepairEffort effort, EditPart* openPart = nullptr) {
+    static constexpr std::int64_t workOfOnlyTry = 80000; // on repairs, in units of WorkBudget
+    static constexpr std::int64_t workOfEachTry = 20000;
+    static constexpr std::int64_t workOfAllTries = 90000;
+
+    CleanPieces make(std::span<const FidelityPlace> places,
+                     std::int64_t thoroughWork,
+                     EditPart* openPart = nullptr) {
         Pieces pieces = makePieces(mesh_, cut_, surface_, options_, places);
         CleanPieces clean{std::move(pieces.part), {}, 0};
         clean.summary.holedFaces = pieces.holedFaces;
@@ -189,7 +190,7 @@ private:
         clean.summary.remadePlaces.assign(places.begin(), places.end());
         try {
             if (pieces.mayTouch) tidyTouchingFaces(clean.part, clean.summary);
-            clean.work = tidy(clean.part, options_, effort, pieces.mayPinch, clean.summary);
+            clean.work = tidy(clean.part, options_, thoroughWork, pieces.mayPinch, clean.summary);
         } catch (const WorkError&) {
             if (openPart) *openPart = std::move(clean.part);
             throw;
@@ -199,9 +200,9 @@ private:
 
     /// Makes pieces with these places and keeps both where fewer cells are bad. False where it is
     /// all the same: the surface has no more and no less to give there.
-    bool takeIfBetter(std::vector<FidelityPlace> places, RepairEffort effort, CleanPieces& best) {
+    bool takeIfBetter(std::vector<FidelityPlace> places, CleanPieces& best) {
         try {
-            CleanPieces other = make(places, effort);
+            CleanPieces other = make(places, workOfEachTry);
             work_ += other.work;
             if (other.summary.badCells >= best.summary.badCells) return other.work != best.work;
             best = std::move(other);
@@ -212,18 +213,17 @@ private:
         return true;
     }
 
-    void tryOtherDeviations(RepairEffort effort, CleanPieces& best) {
+    void tryOtherDeviations(CleanPieces& best) {
         constexpr std::array<double, 6> factors{0.3, 2, 0.1, 4, 0.6, 1.4};
         constexpr Label mostBadCells = 20; // more: the mesh is too coarse for the surface
-        const std::int64_t mostWork = effort == RepairEffort::quick ? 40000 : 90000;
         int sames = 0;
         for (const double factor : factors) {
             const Label bad = best.summary.badCells;
-            if (bad == 0 || bad > mostBadCells || work_ > mostWork || sames == 2) return;
+            if (bad == 0 || bad > mostBadCells || work_ > workOfAllTries || sames == 2) return;
             std::vector<FidelityPlace> places = places_;
             for (const Box& box : findBadPlaces(best.part, false))
                 places.push_back({box, factor});
-            if (!takeIfBetter(std::move(places), effort, best)) ++sames;
+            if (!takeIfBetter(std::move(places), best)) ++sames;
         }
     }
 

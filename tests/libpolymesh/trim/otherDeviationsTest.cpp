@@ -34,15 +34,12 @@ struct HollowBall {
     }
 };
 
-/// With the default deviation, single repairs leave bad cells in each of these.
-const std::array<HollowBall, 8> hollowBalls{{{0.3, {0.02, 0.35, 0.13}, 1, 8},
-                                             {0.4, {0.12, 0.25, 0.23}, 2, 8},
-                                             {0.5, {0.22, 0.05, 0.13}, 1, 9},
-                                             {0.6, {0.12, 0.05, 0.03}, 1, 5},
-                                             {0.3, {0.22, 0.25, 0.13}, 1, 9},
-                                             {0.3, {0.12, 0.05, 0.23}, 1, 8},
-                                             {0.4, {0.22, 0.35, 0.03}, 1, 8},
-                                             {0.3, {0.22, 0.25, 0.33}, 1, 9}}};
+/// With the default deviation, repairs leave bad cells in each of these.
+const std::array<HollowBall, 5> hollowBalls{{{0.3, {0.02, 0.05, 0.03}, 1, 5},
+                                             {0.3, {0.02, 0.25, 0.13}, 2, 6},
+                                             {0.4, {0.02, 0.05, 0.23}, 1, 9},
+                                             {0.5, {0.02, 0.15, 0.13}, 2, 6},
+                                             {0.6, {0.02, 0.25, 0.33}, 1, 7}}};
 
 Trimmed trimmed(const HollowBall& ball, const TrimOptions& options = {}) {
     return trim(ball.mesh(), ball.surface(), options);
@@ -61,7 +58,7 @@ TEST(OtherDeviations, makeBadCellsGood) {
         for (const FidelityPlace& place : summary.remadePlaces)
             EXPECT_NE(place.factor, 1);
     }
-    EXPECT_GE(remade, 4) << "these bodies no longer need what this test is about: find others";
+    EXPECT_GE(remade, 3) << "these bodies no longer need what this test is about: find others";
 }
 
 TEST(OtherDeviations, areNotTriedWhereCellsAreToStayAsTheyAre) {
@@ -75,7 +72,7 @@ TEST(OtherDeviations, areNotTriedWhereCellsAreToStayAsTheyAre) {
 }
 
 TEST(OtherDeviations, giveTheSameForAnyNumberOfThreads) {
-    for (const HollowBall& ball : {hollowBalls[1], hollowBalls[6]}) {
+    for (const HollowBall& ball : {hollowBalls[0], hollowBalls[3]}) {
         const Trimmed first = [&] {
             const ThreadLimit limit(1);
             return trimmed(ball);

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/mps/rejoinFaces.h"
 
+#include "libpolymesh/base/disjointSets.h"
+
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -28,8 +29,7 @@ public:
         std::ranges::sort(faces_);
         faces_.erase(std::unique(faces_.begin(), faces_.end()), faces_.end());
         std::erase_if(faces_, [&](Label f) { return f >= mesh_.faceCount() - edited.rimFaces; });
-        group_.resize(faces_.size());
-        std::iota(group_.begin(), group_.end(), std::size_t{0});
+        groups_.reset(toLabel(faces_.size()));
         uses_.assign(index(plan.edges.size()), 0);
         for (const Label edge : plan.edges.ofCorner)
             ++uses_[index(edge)];
@@ -37,9 +37,9 @@ public:
 
     Polygons find() {
         joinAlongEdges();
-        std::map<std::size_t, std::vector<Label>> groups;
+        std::map<Label, std::vector<Label>> groups;
         for (std::size_t i = 0; i < faces_.size(); ++i)
-            groups[group_[i]].push_back(faces_[i]);
+            groups[groups_.lowest(toLabel(i))].push_back(faces_[i]);
         Polygons polygons;
         for (const auto& [first, faces] : groups) {
             if (faces.size() < 2) continue;
@@ -77,8 +77,7 @@ private:
                 const auto [at, isNew] = first.try_emplace(edge, i);
                 if (isNew || keyOf(faces_[at->second]) != keyOf(faces_[i])) continue;
                 removed_.insert(edge);
-                const auto [low, high] = std::minmax(group_[i], group_[at->second]);
-                std::ranges::replace(group_, std::size_t{high}, std::size_t{low});
+                groups_.join(toLabel(i), toLabel(at->second));
             }
     }
 
@@ -107,10 +106,10 @@ private:
     const EditedMesh& edited_;
     const PolyMesh& mesh_;
     const SubdivisionPlan& plan_;
-    std::vector<Label> faces_;       // ascending
-    std::vector<std::size_t> group_; // beside faces_
-    std::vector<Label> uses_;        // by edge: faces
-    std::set<Label> removed_;        // edges
+    std::vector<Label> faces_; // ascending
+    DisjointSets groups_;      // of places in faces_
+    std::vector<Label> uses_;  // by edge: faces
+    std::set<Label> removed_;  // edges
 };
 
 void removeFromZones(std::vector<Zone>& zones, const std::vector<Label>& gone) {

@@ -3,6 +3,7 @@
 #include "libpolymesh/mps/triangleHull.h"
 
 #include "libpolymesh/geometry/predicates.h"
+#include "libpolymesh/geometry/solidAngle.h"
 #include "libpolymesh/mps/mendFlat.h"
 #include "libpolymesh/mps/pointWithin.h"
 #include "libpolymesh/surface/check.h"
@@ -27,6 +28,12 @@ Side sideOf(const Triangle& points, int tetrahedron) {
     Triangle key = points;
     std::ranges::sort(key);
     return {key, points, tetrahedron};
+}
+
+/// Whether two sides of the same points are seen from the same side.
+bool isSameWay(const Side& a, const Side& b) {
+    const auto at = std::ranges::find(b.points, a.points[0]) - b.points.begin();
+    return b.points[static_cast<std::size_t>(at + 1) % 3] == a.points[1];
 }
 
 TriSurface surfaceOf(const TriangleHull& hull) {
@@ -74,16 +81,9 @@ bool mend(const TriangleHull& hull, TetMesh& mesh) {
 /// Whether the triangles lie round a point once.
 bool isOnceRound(const TriangleHull& hull, const Vec3& point) {
     double sum = 0;
-    for (const Triangle& t : hull.triangles) {
-        const Vec3 a = hull.points[index(t[0])] - point;
-        const Vec3 b = hull.points[index(t[1])] - point;
-        const Vec3 c = hull.points[index(t[2])] - point;
-        const double la = norm(a);
-        const double lb = norm(b);
-        const double lc = norm(c);
-        sum += 2 * std::atan2(dot(a, cross(b, c)),
-                              la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
-    }
+    for (const Triangle& t : hull.triangles)
+        sum += solidAngle(
+            point, hull.points[index(t[0])], hull.points[index(t[1])], hull.points[index(t[2])]);
     return std::abs(sum - 4 * std::numbers::pi) < 1;
 }
 
@@ -134,6 +134,8 @@ tetrahedraIn(Label cell, const TriangleHull& hull, const Tetrahedraliser& tetrah
         if (i + 1 == sides.size() || sides[i].key != sides[i + 1].key) return std::nullopt;
         const auto& [first, second] = std::tie(sides[i], sides[i + 1]);
         if (second.tetrahedron < 0) return std::nullopt;
+        // A hull inside out is filled too, by tetrahedra that lie outside of it.
+        if (isSameWay(first, second) != (first.tetrahedron < 0)) return std::nullopt;
         if (first.tetrahedron < 0) {
             cones.groupOf[static_cast<std::size_t>(-1 - first.tetrahedron)] = second.tetrahedron;
             continue;

@@ -255,9 +255,4 @@ Label collapseShortEdges(MeshEditor& editor, double minEdge) {
     return collapsed;
 }
 
-Label collapseShortEdges(EditMesh& mesh, double minEdge) {
-    MeshEditor editor(mesh);
-    return collapseShortEdges(editor, minEdge);
-}
-
 } // namespace polymesh

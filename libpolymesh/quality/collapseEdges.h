@@ -30,7 +30,6 @@ Label collapseBestWay(MeshEditor& editor, Label a, Label b);
 /// Collapses edges shorter than minEdge times the size of the smallest cell round them, the
 /// shortest first, unless that makes cells worse. Returns the number of edges collapsed. Cost:
 /// linear, small constant for edges that are long enough.
-Label collapseShortEdges(EditMesh& mesh, double minEdge);
 Label collapseShortEdges(MeshEditor& editor, double minEdge);
 
 } // namespace polymesh

@@ -228,9 +228,4 @@ CollapseCounts collapsePoints(MeshEditor& editor, std::span<const Label> represe
     return counts;
 }
 
-CollapseCounts collapsePoints(EditMesh& mesh, std::span<const Label> representative) {
-    MeshEditor editor(mesh);
-    return collapsePoints(editor, representative);
-}
-
 } // namespace polymesh

@@ -22,7 +22,6 @@ struct CollapseCounts {
 /// two sides is joined, or gets the patch), cells that fall apart become several. Points are not
 /// removed. Requires: representative[representative[p]] == representative[p]; points of frozen
 /// cells stay. Cost: linear, small constant for what is not touched.
-CollapseCounts collapsePoints(EditMesh& mesh, std::span<const Label> representative);
 CollapseCounts collapsePoints(MeshEditor& editor, std::span<const Label> representative);
 
 /// Replaces the corners of a face by a closed walk: the face becomes the simple loops of the walk,

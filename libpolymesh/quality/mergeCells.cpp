@@ -178,9 +178,4 @@ Label mergeSmallCells(MeshEditor& editor, double minVolume) {
     return merged;
 }
 
-Label mergeSmallCells(EditMesh& mesh, double minVolume) {
-    MeshEditor editor(mesh);
-    return mergeSmallCells(editor, minVolume);
-}
-
 } // namespace polymesh

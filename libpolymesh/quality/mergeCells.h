@@ -31,7 +31,6 @@ Label mergeIntoBestPartner(MeshEditor& editor, Label cell);
 /// Merges every cell with a volume below minVolume times the cube of its size into a neighbour,
 /// unless that makes cells worse. Returns the number of cells that went. Frozen cells are left
 /// alone. Cost: linear, small constant for cells that are large enough.
-Label mergeSmallCells(EditMesh& mesh, double minVolume);
 Label mergeSmallCells(MeshEditor& editor, double minVolume);
 
 } // namespace polymesh

@@ -152,9 +152,4 @@ Label mergeFaces(MeshEditor& editor, double angle) {
     return merged;
 }
 
-Label mergeFaces(EditMesh& mesh, double angle) {
-    MeshEditor editor(mesh);
-    return mergeFaces(editor, angle);
-}
-
 } // namespace polymesh

@@ -12,7 +12,6 @@ namespace polymesh {
 /// and no cell gets worse; cells with more than 64 faces are passed over; points that become
 /// redundant go. Returns the number of faces that went. Cost: linear, small constant where there is
 /// nothing to merge.
-Label mergeFaces(EditMesh& mesh, double angle);
 Label mergeFaces(MeshEditor& editor, double angle);
 
 /// True when two faces of `cell` bound it against the same cell, or on the same patch.

@@ -197,9 +197,4 @@ ZeroSizeCounts removeZeroSize(MeshEditor& editor) {
     return counts;
 }
 
-ZeroSizeCounts removeZeroSize(EditMesh& mesh) {
-    MeshEditor editor(mesh);
-    return removeZeroSize(editor);
-}
-
 } // namespace polymesh

@@ -19,7 +19,6 @@ struct ZeroSizeCounts {
 /// face loses its spike), and cells without volume, which go to the neighbour across their largest
 /// face, so that their boundary faces become its own. Nothing moves by more than 1e-10 of a cell.
 /// Cost: linear, small constant for what has a size.
-ZeroSizeCounts removeZeroSize(EditMesh& mesh);
 ZeroSizeCounts removeZeroSize(MeshEditor& editor);
 
 /// Puts the point p into the edge a-b of all faces round it. False when a frozen cell may use the

@@ -116,9 +116,4 @@ SplitCounts splitConcaveCells(MeshEditor& editor, double tolerance) {
     return counts;
 }
 
-SplitCounts splitConcaveCells(EditMesh& mesh, double tolerance) {
-    MeshEditor editor(mesh);
-    return splitConcaveCells(editor, tolerance);
-}
-
 } // namespace polymesh

@@ -20,7 +20,6 @@ struct SplitCounts {
 /// tries and 2 for each cell). The faces that a cut crosses are cut for both cells that share them.
 /// Cost: a parallel look at each cell, half a millisecond for a cell to cut. Reference: the paper,
 /// section 3.2, with planes in place of its face criteria.
-SplitCounts splitConcaveCells(EditMesh& mesh, double tolerance);
 SplitCounts splitConcaveCells(MeshEditor& editor, double tolerance);
 
 /// Cuts a cell, and the pieces again, by the cuts that leave the least concavity, though a single

@@ -101,6 +101,15 @@ TEST(TriangleHull, tetrahedraFillACellOfTrianglesAndKeepItsVolume) {
     EXPECT_TRUE(planSubdivision(mesh).inverted.empty());
 }
 
+TEST(TriangleHull, insideOutHasNoTetrahedra) {
+    if (!hasTetgen()) GTEST_SKIP() << "built without TetGen";
+    TriangleHull hull = hullOf(test::unitCube());
+    ASSERT_TRUE(tetrahedraIn(0, hull, tetgenTetrahedraliser()));
+    for (Triangle& t : hull.triangles)
+        std::swap(t[0], t[1]);
+    EXPECT_FALSE(tetrahedraIn(0, hull, tetgenTetrahedraliser()));
+}
+
 TEST(TriangleHull, withoutATetrahedraliserOrWithAWrongOneThereAreNoTetrahedra) {
     const TriangleHull hull = hullOf(test::unitCube());
     EXPECT_FALSE(tetrahedraIn(0, hull, {}));

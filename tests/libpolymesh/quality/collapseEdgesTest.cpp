@@ -38,7 +38,7 @@ TEST(CollapseShortEdges, removesTheShortEdgesOfCutsNearPoints) {
             const double volume = test::totalVolume(mesh);
             const Badness before = test::totalBadness(mesh);
             const Label shortBefore = shortEdges(mesh, 0.05);
-            const Label collapsed = collapseShortEdges(mesh, 0.05);
+            const Label collapsed = test::edit(collapseShortEdges, mesh, 0.05);
             EXPECT_EQ(validateEdit(mesh), Defects());
             EXPECT_GE(collapsed, 1);
             EXPECT_LT(shortEdges(mesh, 0.05), shortBefore) << normal.y << ' ' << distance;
@@ -50,7 +50,7 @@ TEST(CollapseShortEdges, removesTheShortEdgesOfCutsNearPoints) {
 TEST(CollapseShortEdges, isOffAtZero) {
     EditMesh mesh = test::boxOfHexes({2, 2, 2}, 1.0);
     test::cutByPlane(mesh, {1, 1, 1}, 3.001, 6);
-    EXPECT_EQ(collapseShortEdges(mesh, 0), 0);
+    EXPECT_EQ(test::edit(collapseShortEdges, mesh, 0), 0);
 }
 
 TEST(MayCollapse, pointsMoveAlongWhatTheyAreOn) {
@@ -95,7 +95,7 @@ TEST(CollapseShortEdges, neverMovesAFixedPoint) {
                     flags[index(p)] = true;
     };
     markUsed(used);
-    EXPECT_GT(collapseShortEdges(mesh, 0.3), 0);
+    EXPECT_GT(test::edit(collapseShortEdges, mesh, 0.3), 0);
     std::vector<bool> usedAfter(mesh.points.size(), false);
     markUsed(usedAfter);
     for (std::size_t p = 0; p < used.size(); ++p) {
@@ -151,7 +151,7 @@ TEST(CollapseShortEdges, letsACellVanish) {
     EditMesh mesh = test::boxOfHexes({2, 2, 2}, 1.0);
     test::cutByPlane(mesh, {1, 1, 1}, 3.04, 6);
     const Label cells = test::liveCells(mesh);
-    EXPECT_GT(collapseShortEdges(mesh, 0.1), 0);
+    EXPECT_GT(test::edit(collapseShortEdges, mesh, 0.1), 0);
     EXPECT_EQ(validateEdit(mesh), Defects());
     EXPECT_LT(test::liveCells(mesh), cells);
     EXPECT_EQ(shortEdges(mesh, 0.1), 0);

@@ -4,9 +4,11 @@
 
 #include "libpolymesh/quality/editMesh.h"
 #include "libpolymesh/quality/editQuality.h"
+#include "libpolymesh/quality/meshEditor.h"
 
 #include <array>
 #include <functional>
+#include <utility>
 
 namespace polymesh::test {
 
@@ -31,6 +33,13 @@ void cutByPlane(EditMesh& mesh, const Vec3& normal, double distance, Label patch
 /// Merges the pieces of each hexahedron of a box with edges of 1 into one cell again, convex or
 /// not.
 void rejoinPieces(EditMesh& mesh);
+
+/// What a function of clean-up returns for a whole mesh.
+template<class Function, class... Arguments>
+auto edit(Function&& function, EditMesh& mesh, Arguments&&... arguments) {
+    MeshEditor editor(mesh);
+    return function(editor, std::forward<Arguments>(arguments)...);
+}
 
 /// Sum of the volumes of all cells that are not frozen [m^3].
 double totalVolume(EditMesh& mesh);

@@ -71,7 +71,7 @@ TEST(MergeCells, refusesARing) {
 
 TEST(MergeSmallCells, makesNoCellOfMoreThanTwoAndAHalf) {
     EditMesh mesh = test::boxOfHexes({7, 1, 1}, 1.0);
-    EXPECT_EQ(mergeSmallCells(mesh, 10), 3); // two by two
+    EXPECT_EQ(test::edit(mergeSmallCells, mesh, 10), 3); // two by two
     MeshEditor editor(mesh);
     for (Label c = 0; c < editor.cellCount(); ++c)
         if (!editor.cell(c).isRemoved()) {
@@ -86,7 +86,7 @@ TEST(MergeSmallCells, takesSliversAndKeepsVolume) {
         const double volume = test::totalVolume(mesh);
         const Badness before = test::totalBadness(mesh);
         const Label cells = test::liveCells(mesh);
-        const Label merged = mergeSmallCells(mesh, 0.1);
+        const Label merged = test::edit(mergeSmallCells, mesh, 0.1);
         EXPECT_EQ(validateEdit(mesh), Defects());
         EXPECT_EQ(test::liveCells(mesh), cells - merged);
         EXPECT_GT(merged, 0) << distance;
@@ -99,13 +99,13 @@ TEST(MergeSmallCells, isOffAtZeroAndLeavesFrozenCellsAlone) {
     EditMesh mesh = test::boxOfHexes({2, 1, 1}, 1.0);
     test::cutByPlane(mesh, {1, 0, 0}, 1.01, 6);
     EditMesh frozen = mesh;
-    EXPECT_EQ(mergeSmallCells(mesh, 0), 0);
+    EXPECT_EQ(test::edit(mergeSmallCells, mesh, 0), 0);
     frozen.cells[0].frozen = true;
     for (const Label f : frozen.cells[0].faces)
         for (const Label p : frozen.faces[index(f)].points)
             frozen.ranks[index(p)] = PointRank::fixed;
-    EXPECT_EQ(mergeSmallCells(frozen, 0.1), 0);
-    EXPECT_EQ(mergeSmallCells(mesh, 0.1), 1);
+    EXPECT_EQ(test::edit(mergeSmallCells, frozen, 0.1), 0);
+    EXPECT_EQ(test::edit(mergeSmallCells, mesh, 0.1), 1);
     EXPECT_EQ(test::liveFaces(mesh), 6);
     EXPECT_EQ(validateEdit(mesh), Defects());
 }
@@ -149,7 +149,7 @@ TEST(MergeFaces, makesOneFaceOfCoplanarOnes) {
             editor.giveFace(f, 1, 0);
     }
     ASSERT_EQ(validateEdit(mesh), Defects());
-    EXPECT_EQ(mergeFaces(mesh, 0), 4);
+    EXPECT_EQ(test::edit(mergeFaces, mesh, 0), 4);
     EXPECT_EQ(validateEdit(mesh), Defects());
     EXPECT_EQ(test::liveFaces(mesh), 6);
     for (const EditFace& face : mesh.faces)

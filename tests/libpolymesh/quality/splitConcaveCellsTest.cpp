@@ -148,7 +148,7 @@ TEST(SplitConcaveCells, mendsCellsRoundCavities) {
         ASSERT_EQ(validateEdit(mesh), Defects()) << i;
         const double volume = test::totalVolume(mesh);
         const Badness before = test::totalBadness(mesh);
-        const SplitCounts counts = splitConcaveCells(mesh, tolerance);
+        const SplitCounts counts = test::edit(splitConcaveCells, mesh, tolerance);
         EXPECT_EQ(validateEdit(mesh), Defects()) << i;
         EXPECT_NEAR(test::totalVolume(mesh), volume, 1e-12 * volume) << i;
         EXPECT_GT(before.failures, 0) << i;
@@ -161,7 +161,7 @@ TEST(SplitConcaveCells, mendsCellsRoundCavities) {
 TEST(SplitConcaveCells, leavesConvexCellsAlone) {
     EditMesh mesh = test::boxOfHexes({3, 3, 3}, 1.0);
     test::cutByPlane(mesh, {1, 2, 3}, 8.01, 6);
-    EXPECT_EQ(splitConcaveCells(mesh, tolerance).concave, 0);
+    EXPECT_EQ(test::edit(splitConcaveCells, mesh, tolerance).concave, 0);
 }
 
 } // namespace

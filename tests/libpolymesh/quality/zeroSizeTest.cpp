@@ -37,7 +37,7 @@ TEST(RemoveZeroSize, ofTwoPointsAtOnePlaceTheHigherRankStays) {
     for (const bool isCornerMoved : {false, true}) {
         EditMesh mesh = test::boxOfHexes({2, 1, 1}, 1.0); // 0 is a corner, 1 on an edge
         mesh.points[isCornerMoved ? 0 : 1] = mesh.points[isCornerMoved ? 1 : 0];
-        EXPECT_EQ(removeZeroSize(mesh).points, 1);
+        EXPECT_EQ(test::edit(removeZeroSize, mesh).points, 1);
         EXPECT_EQ(validateEdit(mesh), Defects());
         const MeshEditor editor(mesh);
         EXPECT_FALSE(editor.facesOfPoint(0).empty());
@@ -49,7 +49,7 @@ TEST(CollapsePoints, leavesAMeshWithDistinctPointsAlone) {
     EditMesh mesh = test::boxOfHexes({2, 2, 2}, 1.0);
     std::vector<Label> self(mesh.points.size());
     std::iota(self.begin(), self.end(), 0);
-    const CollapseCounts counts = collapsePoints(mesh, self);
+    const CollapseCounts counts = test::edit(collapsePoints, mesh, self);
     EXPECT_EQ(counts.removedFaces + counts.removedCells + counts.addedCells, 0);
     EXPECT_EQ(test::liveFaces(mesh), 36);
 }
@@ -59,7 +59,7 @@ TEST(CollapsePoints, removesTheFlatCellsOfAPlaneOnGridPoints) {
     EditMesh mesh = test::boxOfHexes({3, 3, 2}, 1.0);
     test::cutByPlane(mesh, {0, 0, 1}, 1.0, 6);
     ASSERT_EQ(test::liveCells(mesh), 18);
-    const CollapseCounts counts = collapsePoints(mesh, test::coincidentPoints(mesh));
+    const CollapseCounts counts = test::edit(collapsePoints, mesh, test::coincidentPoints(mesh));
     EXPECT_EQ(validateEdit(mesh), Defects());
     EXPECT_EQ(counts.removedCells, 9);
     EXPECT_EQ(counts.brokenCells, 0);
@@ -75,7 +75,7 @@ TEST(CollapsePoints, removesTheFlatCellsOfAPlaneOnGridPoints) {
 TEST(CollapsePoints, keepsThePatchOfWhatAFlatCellLeavesBare) {
     EditMesh mesh = test::boxOfHexes({1, 1, 2}, 1.0);
     test::cutByPlane(mesh, {0, 0, 1}, 1.0, 6);
-    collapsePoints(mesh, test::coincidentPoints(mesh));
+    test::edit(collapsePoints, mesh, test::coincidentPoints(mesh));
     Label onPatch = 0;
     for (const EditFace& face : mesh.faces)
         onPatch += !face.isRemoved() && face.patch == 6;
@@ -87,7 +87,8 @@ TEST(CollapsePoints, handlesPlanesThroughCellDiagonals) {
         EditMesh mesh = test::boxOfHexes({4, 4, 4}, 1.0);
         test::cutByPlane(mesh, normal, 2.0, 6);
         const double volume = test::totalVolume(mesh);
-        const CollapseCounts counts = collapsePoints(mesh, test::coincidentPoints(mesh));
+        const CollapseCounts counts =
+            test::edit(collapsePoints, mesh, test::coincidentPoints(mesh));
         EXPECT_EQ(validateEdit(mesh), Defects());
         EXPECT_GT(counts.removedCells, 0);
         EXPECT_EQ(counts.brokenCells, 0);
@@ -134,7 +135,7 @@ TEST(CollapsePoints, makesTwoCellsOfOneThatHangsTogetherAtAnEdge) {
     std::iota(representative.begin(), representative.end(), 0);
     representative[9] = 8;
     representative[11] = 10;
-    const CollapseCounts counts = collapsePoints(mesh, representative);
+    const CollapseCounts counts = test::edit(collapsePoints, mesh, representative);
     EXPECT_EQ(counts.addedCells, 1);
     EXPECT_EQ(counts.brokenCells, 0);
     EXPECT_EQ(validateEdit(mesh), Defects());
@@ -155,14 +156,14 @@ TEST(RemoveZeroSize, mergesACellWithoutVolumeIntoItsNeighbour) {
     mesh.faces[top].points = {quad[0], quad[2], quad[3]};
     mesh.cells[index(half.owner)].faces.push_back(toLabel(mesh.faces.size()));
     mesh.faces.push_back(half);
-    collapsePoints(mesh, test::coincidentPoints(mesh));
-    const ZeroSizeCounts counts = removeZeroSize(mesh);
+    test::edit(collapsePoints, mesh, test::coincidentPoints(mesh));
+    const ZeroSizeCounts counts = test::edit(removeZeroSize, mesh);
     EXPECT_EQ(counts.cells, 1);
     EXPECT_EQ(counts.remainingCells, 0);
     EXPECT_EQ(validateEdit(mesh), Defects());
     EXPECT_EQ(test::liveCells(mesh), 1);
     EXPECT_EQ(test::liveFaces(mesh), 7);
-    EXPECT_EQ(mergeFaces(mesh, 0), 1);
+    EXPECT_EQ(test::edit(mergeFaces, mesh, 0), 1);
     EXPECT_EQ(validateEdit(mesh), Defects());
     EXPECT_EQ(test::liveFaces(mesh), 6);
 }
@@ -188,7 +189,7 @@ TEST(RemoveZeroSize, givesAPointThatLiesOnAnEdgeToTheEdge) {
     ASSERT_EQ(flat.owner, 1);
     editor.addFace(flat);
     ASSERT_EQ(validateEdit(mesh), Defects());
-    const ZeroSizeCounts counts = removeZeroSize(mesh);
+    const ZeroSizeCounts counts = test::edit(removeZeroSize, mesh);
     EXPECT_EQ(counts.edges, 1);
     EXPECT_EQ(validateEdit(mesh), Defects());
     EXPECT_EQ(test::liveFaces(mesh), 11);

@@ -12,6 +12,8 @@
 #include <array>
 #include <deque>
 #include <iterator>
+#include <map>
+#include <utility>
 
 namespace polymesh {
 
@@ -54,6 +56,18 @@ bool isSmall(MeshEditor& editor, Label c, double minVolume) {
     const EditCell& cell = editor.cell(c);
     if (cell.frozen || cell.isRemoved()) return false;
     return editor.cellGeometry(c).volume < minVolume * cell.size * cell.size * cell.size;
+}
+
+/// Whether a cell shares more area with a cell that may not be changed than with any other one: at
+/// the seam of a slab that is its partner, once the seam is edited.
+bool waitsForFrozen(MeshEditor& editor, Label cell) {
+    std::map<Label, double> areas;
+    for (const Label f : editor.cell(cell).faces) {
+        const Label other = editor.otherCell(f, cell);
+        if (other >= 0) areas[other] += norm(editor.faceGeometry(f).area);
+    }
+    const auto most = std::ranges::max_element(areas, {}, &std::pair<const Label, double>::second);
+    return most != areas.end() && editor.isFrozen(most->first);
 }
 
 bool wouldBeHuge(MeshEditor& editor, Label from, Label into) {
@@ -168,7 +182,7 @@ Label mergeSmallCells(MeshEditor& editor, double minVolume) {
     while (!small.empty()) {
         const Label c = small.front();
         small.pop_front();
-        if (!isSmall(editor, c, minVolume)) continue;
+        if (!isSmall(editor, c, minVolume) || waitsForFrozen(editor, c)) continue;
         const Label into = mergeIntoBestPartner(editor, c);
         editor.commit();
         if (into < 0) continue;

@@ -30,7 +30,9 @@ Label mergeIntoBestPartner(MeshEditor& editor, Label cell);
 
 /// Merges every cell with a volume below minVolume times the cube of its size into a neighbour,
 /// unless that makes cells worse. Returns the number of cells that went. Frozen cells are left
-/// alone. Cost: linear, small constant for cells that are large enough.
+/// alone, and so are small ones that share most area with one of them: at the seam of a slab that
+/// is where they belong once the seam is edited. Cost: linear, small constant for cells that are
+/// large enough.
 Label mergeSmallCells(MeshEditor& editor, double minVolume);
 
 } // namespace polymesh

@@ -110,6 +110,17 @@ TEST(MergeSmallCells, isOffAtZeroAndLeavesFrozenCellsAlone) {
     EXPECT_EQ(validateEdit(mesh), Defects());
 }
 
+TEST(MergeSmallCells, slicesWaitForThePartnerBeyondASeam) {
+    EditMesh mesh = test::boxOfHexes({2, 2, 1}, 1.0);
+    test::cutByPlane(mesh, {1, 0, 0}, 1.01, 6); // two slices beside each other
+    EditMesh seam = mesh;
+    MeshEditor editor(mesh);
+    for (Label c = 0; c < editor.cellCount(); ++c)
+        if (editor.cellGeometry(c).volume > 0.5) seam.cells[index(c)].frozen = true;
+    EXPECT_EQ(test::edit(mergeSmallCells, seam, 0.1), 0); // not with each other
+    EXPECT_EQ(test::edit(mergeSmallCells, mesh, 0.1), 2);
+}
+
 /// Three cells in a row, with these heights at their four cross sections. Returns the partner with
 /// which the one in the middle is merged.
 Label partnerOfMiddle(const std::array<double, 4>& heights) {

@@ -4,6 +4,7 @@
 // trimSurface: constant/polyMesh and a surface -> trim -> constant/polyMesh.
 
 #include "formats/foam/polyMeshIo.h"
+#include "formats/foam/runAll.h"
 #include "formats/surfaceIo.h"
 #include "libpolymesh/base/error.h"
 #include "libpolymesh/mesh/validate.h"
@@ -13,6 +14,8 @@
 #include "tools/trimPrepare.h"
 #include "tools/trimReport.h"
 
+#include <array>
+#include <functional>
 #include <utility>
 
 namespace polymesh::tools {
@@ -153,11 +156,13 @@ ExitCode run(ToolRun& tool) {
     how.onStage = [&](const std::string& name) { tool.clock.start(name); };
     const std::string file = tool.surfaceFile(tool.settings.text("surface")).string();
     tool.clock.start("read");
-    TriSurface surface = readSurface(file);
+    TriSurface surface;
+    PolyMesh mesh;
+    foam::runAll(std::array<std::function<void()>, 2>{
+        [&] { surface = readSurface(file); }, [&] { mesh = foam::readPolyMesh(tool.meshDir()); }});
     tool.say("surface    {}, {} triangles", file, surface.triangleCount());
     how.regionTypes = patchTypes(tool, surface);
     const foam::WriteFormat format = tool.writeFormat();
-    PolyMesh mesh = foam::readPolyMesh(tool.meshDir());
     tool.clock.start("check surface");
     prepareSurface(tool, file, surface);
     const InitialMesh initial = describe(mesh);

@@ -96,7 +96,7 @@ private:
         stack.push(children[1]);
     }
 
-    void build(std::span<const Box> boxes, std::span<Label> items, Label firstItem);
+    void build(std::span<const Box> boxes, std::span<Label> items, Label firstItem, Label node);
 
     std::vector<Node> nodes_;
     std::vector<Label> items_;

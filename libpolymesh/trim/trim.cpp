@@ -160,8 +160,8 @@ public:
         : mesh_(mesh), cut_(cut), surface_(surface), options_(options) {}
 
     /// Makes pieces. Where repairs leave bad cells, these are made again with more and less of the
-    /// surface round them: they come out otherwise, and the rest as before.
-    /// Requires: no node is settled.
+    /// surface round them: they come out otherwise, and the rest as before. At last repairs get
+    /// more time. Requires: no node is settled.
     CleanPieces best() {
         if (options_.deviation <= 0 || !options_.mendsCells) return make({}, workOfOnlyTry);
         CleanPieces best = make({}, workOfEachTry);
@@ -169,6 +169,7 @@ public:
         options_.onStage("try again");
         options_.onStage = [](const std::string&) {};
         tryOtherDeviations(best);
+        if (isWorthATry(best)) takeIfBetter(places_, workOfOnlyTry, best);
         return best;
     }
 
@@ -200,9 +201,10 @@ private:
 
     /// Makes pieces with these places and keeps both where fewer cells are bad. False where it is
     /// all the same: the surface has no more and no less to give there.
-    bool takeIfBetter(std::vector<FidelityPlace> places, CleanPieces& best) {
+    bool
+    takeIfBetter(std::vector<FidelityPlace> places, std::int64_t thoroughWork, CleanPieces& best) {
         try {
-            CleanPieces other = make(places, workOfEachTry);
+            CleanPieces other = make(places, thoroughWork);
             work_ += other.work;
             if (other.summary.badCells >= best.summary.badCells) return other.work != best.work;
             best = std::move(other);
@@ -213,17 +215,20 @@ private:
         return true;
     }
 
+    static bool isWorthATry(const CleanPieces& best) {
+        constexpr Label mostBadCells = 20; // more: the mesh is too coarse for the surface
+        return best.summary.badCells > 0 && best.summary.badCells <= mostBadCells;
+    }
+
     void tryOtherDeviations(CleanPieces& best) {
         constexpr std::array<double, 6> factors{0.3, 2, 0.1, 4, 0.6, 1.4};
-        constexpr Label mostBadCells = 20; // more: the mesh is too coarse for the surface
         int sames = 0;
         for (const double factor : factors) {
-            const Label bad = best.summary.badCells;
-            if (bad == 0 || bad > mostBadCells || work_ > workOfAllTries || sames == 2) return;
+            if (!isWorthATry(best) || work_ > workOfAllTries || sames == 2) return;
             std::vector<FidelityPlace> places = places_;
             for (const Box& box : findBadPlaces(best.part, false))
                 places.push_back({box, factor});
-            if (!takeIfBetter(std::move(places), best)) ++sames;
+            if (!takeIfBetter(std::move(places), workOfEachTry, best)) ++sames;
         }
     }
 

@@ -5,7 +5,7 @@ set -eu
 
 build="cmake ninja-build g++ ccache git ca-certificates
   libboost-dev libboost-program-options-dev libcgal-dev libgmp-dev libmpfr-dev libfmt-dev libfast-float-dev
-  nlohmann-json3-dev libtbb-dev zlib1g-dev libtet1.5-dev libp4est-dev libopenmpi-dev
+  nlohmann-json3-dev libtbb-dev zlib1g-dev libdeflate-dev libtet1.5-dev libp4est-dev libopenmpi-dev
   openmpi-bin"
 test="libgtest-dev clang clang-format-14 clang-tidy-14 libclang-rt-14-dev
   openfoam openfoam-examples libcgal-demo gmsh python3 python3-numpy"

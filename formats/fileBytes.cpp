@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/fileBytes.h"
 
+#include "formats/gunzip.h"
 #include "libpolymesh/base/error.h"
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -45,31 +45,6 @@ std::string readPlain(const std::filesystem::path& path) {
     return bytes;
 }
 
-std::string readGzip(const std::filesystem::path& path) {
-    const GzipFile file(gzopen(path.c_str(), "rb"));
-    require(file != nullptr, "{}: cannot open: {}", path.string(), std::strerror(errno));
-    gzbuffer(file.get(), chunkSize);
-    require(gzdirect(file.get()) == 0,
-            "{}: not a gzip file, though its name says so; take .gz off its name",
-            path.string());
-    std::string bytes;
-    std::size_t size = 0;
-    int count = 0;
-    do {
-        if (bytes.size() < size + chunkSize) bytes.resize(std::max(2 * bytes.size(), chunkSize));
-        count = gzread(file.get(), bytes.data() + size, chunkSize);
-        size += static_cast<std::size_t>(std::max(count, 0));
-    } while (count > 0);
-    int error = Z_OK;
-    const char* message = gzerror(file.get(), &error);
-    require(error == Z_OK || error == Z_STREAM_END,
-            "{}: damaged or cut short: {}; copy it again from where it is whole",
-            path.string(),
-            message);
-    bytes.resize(size);
-    return bytes;
-}
-
 bool writePlain(const std::filesystem::path& path, std::string_view bytes) {
     File file(std::fopen(path.c_str(), "wb"));
     if (file == nullptr) return false;
@@ -97,7 +72,8 @@ std::string readBytes(const std::filesystem::path& file) {
             file.string());
     require(
         !std::filesystem::is_directory(file), "{}: is a folder; name a file in it", file.string());
-    return file.extension() == ".gz" ? readGzip(file) : readPlain(file);
+    std::string bytes = readPlain(file);
+    return file.extension() == ".gz" ? gunzip(bytes, file.string()) : bytes;
 }
 
 void writeBytes(const std::filesystem::path& file, std::string_view bytes) {

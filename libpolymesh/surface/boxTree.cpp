@@ -4,7 +4,7 @@
 
 #include "libpolymesh/base/parallel.h"
 
-#include <numeric>
+#include <utility>
 
 namespace polymesh {
 
@@ -25,46 +25,79 @@ int longestAxis(const Vec3& size) {
 } // namespace
 
 BoxTree::BoxTree(std::span<const Box> boxes) : items_(boxes.size()) {
-    std::iota(items_.begin(), items_.end(), Label{0});
     if (boxes.empty()) return;
-    nodes_.resize(nodeCount(items_.size()));
-    build(boxes, items_, 0, 0);
+    std::vector<Place> places(boxes.size());
+    parallelFor(toLabel(boxes.size()), [&](Label item) {
+        places[index(item)] = {boxes[index(item)].centre(), item};
+    });
+    nodes_.resize(nodeCount(places.size()));
+    build(boxes, places, 0, 0);
+}
+
+std::vector<BoxTree::NodePair> BoxTree::nodePairs() const {
+    constexpr std::size_t enough = 512;
+    std::vector<NodePair> pairs;
+    if (!nodes_.empty()) pairs.push_back({0, 0});
+    bool isDivided = !pairs.empty();
+    while (isDivided && pairs.size() < enough) {
+        isDivided = false;
+        std::vector<NodePair> below;
+        for (const NodePair& pair : pairs) {
+            if (!overlaps(nodes_[index(pair[0])].box, nodes_[index(pair[1])].box)) continue;
+            const bool areLeaves = isLeaf(pair[0]) && isLeaf(pair[1]);
+            isDivided = isDivided || !areLeaves;
+            if (areLeaves)
+                below.push_back(pair);
+            else
+                forEachPairBelow(pair, [&](const NodePair& half) { below.push_back(half); });
+        }
+        std::swap(pairs, below);
+    }
+    return pairs;
+}
+
+void BoxTree::buildLeaf(std::span<const Box> boxes,
+                        std::span<const Place> places,
+                        Label firstItem,
+                        Node& leaf) {
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        items_[index(firstItem) + i] = places[i].item;
+        leaf.box.add(boxes[index(places[i].item)]);
+    }
+    leaf.first = firstItem;
+    leaf.count = toLabel(places.size());
 }
 
 void BoxTree::build(std::span<const Box> boxes,
-                    std::span<Label> items,
+                    std::span<Place> places,
                     Label firstItem,
                     Label node) {
-    Box box;
+    if (places.size() <= leafSize) return buildLeaf(boxes, places, firstItem, nodes_[index(node)]);
     Box centres;
-    for (Label item : items) {
-        box.add(boxes[index(item)]);
-        centres.add(boxes[index(item)].centre());
-    }
-    if (items.size() <= leafSize) {
-        nodes_[index(node)] = {box, firstItem, toLabel(items.size())};
-        return;
-    }
+    for (const Place& place : places)
+        centres.add(place.centre);
     const int axis = longestAxis(centres.size());
-    const std::size_t half = items.size() / 2;
+    const std::size_t half = places.size() / 2;
     std::ranges::nth_element(
-        items, items.begin() + static_cast<std::ptrdiff_t>(half), {}, [&](Label item) {
-            return std::pair(boxes[index(item)].centre()[axis], item);
+        places, places.begin() + static_cast<std::ptrdiff_t>(half), {}, [&](const Place& place) {
+            return std::pair(place.centre[axis], place.item);
         });
     const Label second = node + 1 + toLabel(nodeCount(half));
-    nodes_[index(node)] = {box, second, 0};
     const auto buildHalf = [&](Label i) {
         if (i == 0)
-            build(boxes, items.first(half), firstItem, node + 1);
+            build(boxes, places.first(half), firstItem, node + 1);
         else
-            build(boxes, items.subspan(half), firstItem + toLabel(half), second);
+            build(boxes, places.subspan(half), firstItem + toLabel(half), second);
     };
-    if (items.size() > largeTree) {
+    if (places.size() > largeTree) {
         parallelBlocks(2, 1, [&](Label i, Label, Label) { buildHalf(i); });
     } else {
         buildHalf(0);
         buildHalf(1);
     }
+    Box box = nodes_[index(node + 1)].box;
+    box.add(nodes_[index(second)].box);
+    nodes_[index(node)] = {box, second, 0};
 }
 
 } // namespace polymesh

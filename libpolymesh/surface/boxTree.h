@@ -58,6 +58,30 @@ public:
         }
     }
 
+    /// Two nodes, or twice the same one: what stands below them is to be paired.
+    using NodePair = std::array<Label, 2>;
+
+    /// Some hundreds of pairs of nodes, the same for the same boxes, that together hold all pairs
+    /// of items that overlap: for forEachPair() in parallel.
+    std::vector<NodePair> nodePairs() const;
+
+    /// Calls body(i, j) for all pairs of different items below the two nodes that are in leaves
+    /// whose boxes overlap: every pair that overlaps, once and in one of its orders, and some that
+    /// do not.
+    template<class Body>
+    void forEachPair(const NodePair& nodes, Body&& body) const {
+        const auto& [a, b] = nodes;
+        if (!overlaps(nodes_[index(a)].box, nodes_[index(b)].box)) return;
+        if (!isLeaf(a) || !isLeaf(b)) {
+            forEachPairBelow(nodes, [&](const NodePair& below) { forEachPair(below, body); });
+            return;
+        }
+        const auto items = itemsOf(a);
+        for (std::size_t i = 0; i < items.size(); ++i)
+            for (Label other : a == b ? items.subspan(i + 1) : itemsOf(b))
+                body(items[i], other);
+    }
+
 private:
     /// A leaf holds count items from items_[first]; an inner node (count 0) has its children at the
     /// next place and at nodes_[first].
@@ -96,7 +120,44 @@ private:
         stack.push(children[1]);
     }
 
-    void build(std::span<const Box> boxes, std::span<Label> items, Label firstItem, Label node);
+    bool isLeaf(Label node) const { return nodes_[index(node)].count > 0; }
+
+    std::span<const Label> itemsOf(Label leaf) const {
+        const Node& node = nodes_[index(leaf)];
+        return std::span(items_).subspan(index(node.first), index(node.count));
+    }
+
+    /// An inner node's children; a leaf itself.
+    std::span<const Label> halvesOf(Label node, NodePair& halves) const {
+        halves = {node + 1, nodes_[index(node)].first};
+        if (!isLeaf(node)) return halves;
+        halves[0] = node;
+        return std::span(halves).first(1);
+    }
+
+    /// Calls body(pair) for the pairs that the halves of two nodes, not both leaves, make.
+    template<class Body>
+    void forEachPairBelow(const NodePair& nodes, Body&& body) const {
+        NodePair halves;
+        NodePair others;
+        const auto first = halvesOf(nodes[0], halves);
+        const auto second = halvesOf(nodes[1], others);
+        for (std::size_t i = 0; i < first.size(); ++i)
+            for (std::size_t j = nodes[0] == nodes[1] ? i : 0; j < second.size(); ++j)
+                body(NodePair{first[i], second[j]});
+    }
+
+    /// An item's place while the tree is built.
+    struct Place {
+        Vec3 centre;
+        Label item;
+    };
+
+    void build(std::span<const Box> boxes, std::span<Place> places, Label firstItem, Label node);
+    void buildLeaf(std::span<const Box> boxes,
+                   std::span<const Place> places,
+                   Label firstItem,
+                   Node& leaf);
 
     std::vector<Node> nodes_;
     std::vector<Label> items_;

@@ -41,7 +41,7 @@ void checkDuplicates(const TriSurface& surface, SurfaceDefects& defects) {
         keys[index(t)] = {corners[0], corners[1], corners[2], t};
         std::sort(keys[index(t)].begin(), keys[index(t)].begin() + 3);
     }
-    std::ranges::sort(keys);
+    parallelSort(keys);
     std::vector<Label> duplicates;
     for (std::size_t i = 1; i < keys.size(); ++i)
         if (std::equal(keys[i].begin(), keys[i].begin() + 3, keys[i - 1].begin()))

@@ -42,10 +42,21 @@ Corners sharedFirst(const TriSurface& surface, Label t, Label other) {
 }
 
 bool intersectsOppositeSide(const Corners& corners, const Corners& other) {
-    const Kernel::Segment_3 side(toCgal(corners.points[1]), toCgal(corners.points[2]));
-    const Kernel::Triangle_3 triangle(
-        toCgal(other.points[0]), toCgal(other.points[1]), toCgal(other.points[2]));
-    return CGAL::do_intersect(side, triangle);
+    const auto& p = corners.points[1];
+    const auto& q = corners.points[2];
+    const auto& [a, b, c] = other.points;
+    const int sideOfP = orient3d(a, b, c, p);
+    const int sideOfQ = orient3d(a, b, c, q);
+    if (sideOfP == 0 && sideOfQ == 0)
+        return CGAL::do_intersect(Kernel::Segment_3(toCgal(p), toCgal(q)),
+                                  Kernel::Triangle_3(toCgal(a), toCgal(b), toCgal(c)));
+    if (sideOfP == sideOfQ) return false;
+    // The segment's line meets the plane in one point, which is in the triangle when no two sides
+    // pass the line on opposite sides.
+    const std::array<int, 3> sides{
+        orient3d(p, q, a, b), orient3d(p, q, b, c), orient3d(p, q, c, a)};
+    const auto [least, most] = std::ranges::minmax(sides);
+    return least >= 0 || most <= 0;
 }
 
 bool areFoldedTogether(const Corners& s, const Corners& t) {
@@ -85,37 +96,39 @@ bool isBeside(const TriSurface& surface, Label s, Label t) {
     return count > 0 && std::abs(sides) == count;
 }
 
-void collectPairs(const TriSurface& surface,
-                  const std::vector<Box>& boxes,
-                  const BoxTree& tree,
-                  Label s,
-                  Pairs& pairs) {
-    tree.forEachNear(boxes[index(s)], [&](Label t) {
-        if (t <= s || !overlaps(boxes[index(s)], boxes[index(t)])) return;
-        if (isBeside(surface, s, t) || isBeside(surface, t, s)) return;
-        if (doIntersect(sharedFirst(surface, s, t), sharedFirst(surface, t, s)))
-            pairs.push_back({s, t});
+/// True when the triangles, whose boxes overlap, meet in more than corners and sides they share.
+bool meet(const TriSurface& surface, Label s, Label t) {
+    if (isBeside(surface, s, t) || isBeside(surface, t, s)) return false;
+    return doIntersect(sharedFirst(surface, s, t), sharedFirst(surface, t, s));
+}
+
+/// All pairs that meet, in order.
+Pairs findPairs(const TriSurface& surface) {
+    const std::vector<Box> boxes = triangleBoxes(surface);
+    const BoxTree tree(boxes);
+    const auto nodePairs = tree.nodePairs();
+    std::vector<Pairs> blocks(nodePairs.size());
+    parallelBlocks(toLabel(nodePairs.size()), 1, [&](Label block, Label, Label) {
+        tree.forEachPair(nodePairs[index(block)], [&](Label a, Label b) {
+            const auto [s, t] = std::minmax(a, b);
+            if (overlaps(boxes[index(s)], boxes[index(t)]) && meet(surface, s, t))
+                blocks[index(block)].push_back({s, t});
+        });
     });
+    Pairs pairs;
+    for (const Pairs& block : blocks)
+        pairs.insert(pairs.end(), block.begin(), block.end());
+    parallelSort(pairs);
+    return pairs;
 }
 
 } // namespace
 
 SelfIntersections findSelfIntersections(const TriSurface& surface, Label most) {
-    const std::vector<Box> boxes = triangleBoxes(surface);
-    const BoxTree tree(boxes);
-    constexpr Label blockSize = 1024;
-    std::vector<Pairs> blocks(index((surface.triangleCount() + blockSize - 1) / blockSize));
-    parallelBlocks(surface.triangleCount(), blockSize, [&](Label block, Label first, Label last) {
-        for (Label s = first; s < last; ++s)
-            collectPairs(surface, boxes, tree, s, blocks[index(block)]);
-        std::ranges::sort(blocks[index(block)]);
-    });
     SelfIntersections found;
-    for (const Pairs& pairs : blocks) {
-        found.count += toLabel(pairs.size());
-        for (const auto& pair : pairs)
-            if (toLabel(found.first.size()) < most) found.first.push_back(pair);
-    }
+    found.first = findPairs(surface);
+    found.count = toLabel(found.first.size());
+    found.first.resize(index(std::min(found.count, most)));
     return found;
 }
 

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <random>
 #include <set>
 
@@ -112,6 +113,28 @@ TEST(BoxTree, visitsAllBoxesThatOverlap) {
                 EXPECT_GE(times, overlaps(boxes[i], box) ? 1U : 0U);
             }
         }
+    }
+}
+
+TEST(BoxTree, pairsAllBoxesThatOverlapOnce) {
+    Points points;
+    for (int count : {0, 1, 4, 5, 100, 3000}) {
+        std::vector<Box> boxes;
+        for (int i = 0; i < count; ++i) {
+            const Vec3 p = points.next();
+            boxes.push_back({p, p + Vec3{0.1, 0.02, 0.03}});
+        }
+        const BoxTree tree(boxes);
+        std::map<std::set<Label>, int> visits;
+        for (const auto& nodes : tree.nodePairs())
+            tree.forEachPair(nodes, [&](Label i, Label j) { ++visits[{i, j}]; });
+        for (const auto& [pair, times] : visits)
+            ASSERT_EQ(times, 1);
+        for (Label i = 0; i < count; ++i)
+            for (Label j = 0; j < i; ++j)
+                if (overlaps(boxes[index(i)], boxes[index(j)])) {
+                    ASSERT_TRUE(visits.contains({i, j}));
+                }
     }
 }
 

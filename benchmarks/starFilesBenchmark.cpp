@@ -5,7 +5,7 @@
 // The argument is the number of cells along each side of a box.
 
 #include "formats/star/starFiles.h"
-#include "libpolymesh/base/parallel.h"
+#include "libpolymesh/base/threadLimit.h"
 #include "libpolymesh/initial/cartesian.h"
 
 #include <benchmark/benchmark.h>

@@ -8,6 +8,8 @@
 #include "libpolymesh/initial/extrude.h"
 #include "tools/blockDictReader.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 

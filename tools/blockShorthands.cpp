@@ -8,6 +8,8 @@
 #include "tools/blockDictReader.h"
 #include "tools/blockExtrude.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numbers>
 #include <utility>

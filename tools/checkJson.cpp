@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/checkReport.h"
 
+#include <nlohmann/json.hpp>
+
 namespace polymesh::tools {
 
 namespace {

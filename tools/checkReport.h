@@ -5,7 +5,7 @@
 #include "libpolymesh/mesh/polyMesh.h"
 #include "libpolymesh/quality/checks.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 namespace polymesh::tools {

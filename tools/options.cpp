@@ -6,6 +6,7 @@
 #include "libpolymesh/base/nearestWord.h"
 
 #include <boost/program_options.hpp>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>

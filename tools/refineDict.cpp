@@ -10,6 +10,8 @@
 #include "libpolymesh/surface/check.h"
 #include "libpolymesh/surface/regions.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -5,7 +5,7 @@
 #include "formats/fileBytes.h"
 #include "formats/foam/dictionary.h"
 #include "libpolymesh/base/error.h"
-#include "libpolymesh/base/parallel.h"
+#include "libpolymesh/base/threadLimit.h"
 
 #include <cstdio>
 #include <exception>

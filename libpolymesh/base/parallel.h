@@ -2,43 +2,48 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The only file that includes oneTBB. Results never depend on the number of threads: loops write
-// only what belongs to their element, and sums have a fixed order.
+// Loops over all threads. Results never depend on the number of threads: loops write only what
+// belongs to their element, and sums have a fixed order. The threads themselves are behind
+// parallel.cpp, which a loop enters once a range of elements: half of the files of this project
+// include this header, and those of oneTBB cost a compiler longer than the file itself.
 
 #include "libpolymesh/base/label.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
-#include <tbb/parallel_sort.h>
-#include <tbb/partitioner.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <vector>
-
 namespace polymesh {
 
-/// Limits the number of threads of all parallel loops for the lifetime of the object.
-class ThreadLimit {
+/// Refers to a callable body(first, last), which has to outlive it.
+class RangeBody {
 public:
-    explicit ThreadLimit(std::size_t threadCount)
-        : control_(tbb::global_control::max_allowed_parallelism, threadCount) {}
+    template<class Body>
+    explicit RangeBody(const Body& body)
+        : body_(&body), call_([](const void* erased, Label first, Label last) {
+              (*static_cast<const Body*>(erased))(first, last);
+          }) {}
+
+    void operator()(Label first, Label last) const { call_(body_, first, last); }
 
 private:
-    tbb::global_control control_;
+    const void* body_;
+    void (*call_)(const void* body, Label first, Label last);
 };
+
+/// Calls body for ranges that make up [0, count), in parallel: as large as leaves work for every
+/// thread, and not below half of `grain`.
+void runRanges(Label count, Label grain, RangeBody body);
+
+/// Calls body(i, i + 1) for every i in [0, count), in parallel: each is a task of its own.
+void runTasks(Label count, RangeBody body);
 
 /// Calls body(i) for every i in [0, count), in parallel and in no particular order.
 /// body(i) may read anything but write only what belongs to i.
 template<class Body>
 void parallelFor(Label count, Body&& body) {
     constexpr Label grain = 512;
-    tbb::parallel_for(tbb::blocked_range<Label>(0, count, grain), [&](const auto& range) {
-        for (Label i = range.begin(); i != range.end(); ++i)
+    const auto range = [&](Label first, Label last) {
+        for (Label i = first; i != last; ++i)
             body(i);
-    });
+    };
+    runRanges(count, grain, RangeBody(range));
 }
 
 /// Calls body(block, first, last) for consecutive blocks of `blockSize` elements of [0, count), in
@@ -46,37 +51,42 @@ void parallelFor(Label count, Body&& body) {
 /// block, to be joined in block order.
 template<class Body>
 void parallelBlocks(Label count, Label blockSize, Body&& body) {
-    const Label blocks = (count + blockSize - 1) / blockSize;
-    tbb::parallel_for(
-        tbb::blocked_range<Label>(0, blocks, 1),
-        [&](const auto& range) {
-            for (Label b = range.begin(); b != range.end(); ++b)
-                body(b, b * blockSize, std::min(count, (b + 1) * blockSize));
-        },
-        tbb::simple_partitioner{});
+    const auto task = [&](Label b, Label) {
+        const Label first = b * blockSize;
+        body(b, first, count - first < blockSize ? count : first + blockSize);
+    };
+    runTasks((count + blockSize - 1) / blockSize, RangeBody(task));
+}
+
+/// Reduces term(i) over [first, last) as parallelReduce does: halves, until they are short.
+template<class T, class Term, class Combine>
+T reduceRange(Label first, Label last, const T& identity, Term& term, Combine& combine) {
+    constexpr Label grain = 4096; // fixed: the order of the operations depends on it alone
+    if (last - first <= grain) {
+        T value = identity;
+        for (Label i = first; i != last; ++i)
+            value = combine(value, term(i));
+        return value;
+    }
+    const Label middle = first + (last - first) / 2;
+    T low = identity;
+    T high = identity;
+    const auto half = [&](Label i, Label) {
+        if (i == 0) {
+            low = reduceRange(first, middle, identity, term, combine);
+        } else {
+            high = reduceRange(middle, last, identity, term, combine);
+        }
+    };
+    runTasks(2, RangeBody(half));
+    return combine(low, high);
 }
 
 /// Reduces term(i) over [0, count) with `combine`, which must be associative up to rounding; the
 /// result does not depend on the number of threads.
 template<class T, class Term, class Combine>
 T parallelReduce(Label count, T identity, Term&& term, Combine&& combine) {
-    constexpr Label grain = 4096; // fixed: the order of the operations depends on it alone
-    return tbb::parallel_deterministic_reduce(
-        tbb::blocked_range<Label>(0, count, grain),
-        identity,
-        [&](const tbb::blocked_range<Label>& range, T value) {
-            for (Label i = range.begin(); i != range.end(); ++i)
-                value = combine(value, term(i));
-            return value;
-        },
-        combine,
-        tbb::simple_partitioner{});
-}
-
-/// Sorts values, no two of which may be equal: else their order would depend on the threads.
-template<class T>
-void parallelSort(std::vector<T>& values) {
-    tbb::parallel_sort(values.begin(), values.end());
+    return reduceRange(Label{0}, count, identity, term, combine);
 }
 
 /// Sums term(i) over [0, count); the result does not depend on the number of threads.

@@ -4,6 +4,8 @@
 
 #include "libpolymesh/base/error.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <utility>

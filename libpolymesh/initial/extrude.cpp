@@ -5,6 +5,8 @@
 #include "libpolymesh/base/error.h"
 #include "libpolymesh/initial/blockGrid.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/mps/meshRegion.h"
 
-#include "libpolymesh/base/parallel.h"
+#include "libpolymesh/base/parallelSort.h"
 
 #include <algorithm>
 #include <numeric>

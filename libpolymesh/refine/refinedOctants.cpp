@@ -5,6 +5,7 @@
 #include "libpolymesh/base/error.h"
 #include "libpolymesh/base/kept.h"
 #include "libpolymesh/base/parallel.h"
+#include "libpolymesh/base/parallelSort.h"
 #include "libpolymesh/refine/octantNeighbours.h"
 
 #include <numeric>

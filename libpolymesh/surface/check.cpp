@@ -3,6 +3,7 @@
 #include "libpolymesh/surface/check.h"
 
 #include "libpolymesh/base/parallel.h"
+#include "libpolymesh/base/parallelSort.h"
 #include "libpolymesh/surface/coplanar.h"
 #include "libpolymesh/surface/edgeUses.h"
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The polymesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/base/parallel.h"
+#include "libpolymesh/base/parallelSort.h"
 #include "libpolymesh/geometry/predicates.h"
 #include "libpolymesh/surface/boxTree.h"
 #include "libpolymesh/surface/check.h"

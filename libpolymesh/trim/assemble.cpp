@@ -5,6 +5,7 @@
 #include "libpolymesh/base/freshList.h"
 #include "libpolymesh/base/kept.h"
 #include "libpolymesh/base/parallel.h"
+#include "libpolymesh/base/parallelSort.h"
 
 #include <algorithm>
 #include <atomic>

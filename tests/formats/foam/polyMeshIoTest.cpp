@@ -4,7 +4,7 @@
 
 #include "foamTestSupport.h"
 #include "formats/foam/polyMeshWriter.h"
-#include "libpolymesh/base/parallel.h"
+#include "libpolymesh/base/threadLimit.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

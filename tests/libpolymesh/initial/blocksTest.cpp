@@ -3,7 +3,7 @@
 #include "libpolymesh/initial/blocks.h"
 
 #include "libpolymesh/base/error.h"
-#include "libpolymesh/base/parallel.h"
+#include "libpolymesh/base/threadLimit.h"
 #include "libpolymesh/initial/cartesian.h"
 #include "libpolymesh/mesh/cellGeometry.h"
 #include "libpolymesh/mesh/validate.h"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/mesh/internalFaces.h"
 
+#include "libpolymesh/base/threadLimit.h"
 #include "tests/support/meshes.h"
 
 #include <gtest/gtest.h>

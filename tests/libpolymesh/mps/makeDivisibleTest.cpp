@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/mps/makeDivisible.h"
 
-#include "libpolymesh/base/parallel.h"
+#include "libpolymesh/base/threadLimit.h"
 #include "libpolymesh/mps/bends.h"
 #include "libpolymesh/mps/cones.h"
 #include "libpolymesh/mps/splitFaces.h"

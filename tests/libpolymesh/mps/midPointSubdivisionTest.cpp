@@ -3,7 +3,7 @@
 #include "libpolymesh/mps/midPointSubdivision.h"
 
 #include "libpolymesh/base/error.h"
-#include "libpolymesh/base/parallel.h"
+#include "libpolymesh/base/threadLimit.h"
 #include "tests/libpolymesh/mps/divided.h"
 #include "tests/support/meshes.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/mps/relaxPoints.h"
 
-#include "libpolymesh/base/parallel.h"
+#include "libpolymesh/base/threadLimit.h"
 #include "libpolymesh/initial/cartesian.h"
 #include "libpolymesh/mps/makeDivisible.h"
 #include "libpolymesh/mps/movingMesh.h"

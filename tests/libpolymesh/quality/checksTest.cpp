@@ -6,7 +6,7 @@
 #include "libpolymesh/quality/checks.h"
 
 #include "libpolymesh/base/error.h"
-#include "libpolymesh/base/parallel.h"
+#include "libpolymesh/base/threadLimit.h"
 #include "tests/support/meshes.h"
 
 #include <gtest/gtest.h>

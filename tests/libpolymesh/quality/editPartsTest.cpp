@@ -3,7 +3,7 @@
 #include "libpolymesh/quality/editParts.h"
 
 #include "editMeshes.h"
-#include "libpolymesh/base/parallel.h"
+#include "libpolymesh/base/threadLimit.h"
 #include "libpolymesh/quality/collapseEdges.h"
 #include "libpolymesh/quality/mergeCells.h"
 #include "libpolymesh/quality/splitConcaveCells.h"

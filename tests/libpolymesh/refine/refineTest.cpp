@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/refine/refine.h"
 
-#include "libpolymesh/base/parallel.h"
+#include "libpolymesh/base/threadLimit.h"
 #include "libpolymesh/mesh/cellGeometry.h"
 #include "libpolymesh/mesh/validate.h"
 #include "tests/libpolymesh/refine/macroCells.h"

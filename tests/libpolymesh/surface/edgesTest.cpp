@@ -3,7 +3,7 @@
 #include "libpolymesh/surface/edges.h"
 
 #include "libpolymesh/base/error.h"
-#include "libpolymesh/base/parallel.h"
+#include "libpolymesh/base/threadLimit.h"
 #include "tests/support/surfaces.h"
 
 #include <gtest/gtest.h>

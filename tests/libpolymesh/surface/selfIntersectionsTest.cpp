@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The polymesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "libpolymesh/base/parallel.h"
+#include "libpolymesh/base/threadLimit.h"
 #include "libpolymesh/surface/check.h"
 #include "libpolymesh/surface/coplanar.h"
 #include "tests/support/surfaces.h"

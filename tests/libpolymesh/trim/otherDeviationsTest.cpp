@@ -3,7 +3,7 @@
 
 // Cells that come out bad are made again with another deviation.
 
-#include "libpolymesh/base/parallel.h"
+#include "libpolymesh/base/threadLimit.h"
 #include "libpolymesh/initial/cartesian.h"
 #include "libpolymesh/mesh/validate.h"
 #include "libpolymesh/quality/checks.h"

@@ -3,7 +3,7 @@
 #include "libpolymesh/trim/trim.h"
 
 #include "libpolymesh/base/error.h"
-#include "libpolymesh/base/parallel.h"
+#include "libpolymesh/base/threadLimit.h"
 #include "libpolymesh/mesh/cellGeometry.h"
 #include "libpolymesh/mesh/topology.h"
 #include "libpolymesh/mesh/validate.h"

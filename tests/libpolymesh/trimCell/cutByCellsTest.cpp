@@ -3,7 +3,7 @@
 #include "libpolymesh/trimCell/cutByCells.h"
 
 #include "libpolymesh/base/error.h"
-#include "libpolymesh/base/parallel.h"
+#include "libpolymesh/base/threadLimit.h"
 #include "libpolymesh/geometry/predicates.h"
 #include "libpolymesh/initial/cartesian.h"
 #include "libpolymesh/refine/refine.h"

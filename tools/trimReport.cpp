@@ -5,9 +5,7 @@
 #include "libpolymesh/base/parallel.h"
 #include "libpolymesh/mesh/boundingBox.h"
 #include "libpolymesh/mesh/cellGeometry.h"
-#include "libpolymesh/mesh/valences.h"
 #include "libpolymesh/surface/features.h"
-#include "libpolymesh/surface/measure.h"
 
 #include <algorithm>
 
@@ -62,22 +60,19 @@ void reportRemade(ToolRun& tool, const TrimSummary& summary) {
              last.factor);
 }
 
-/// How many nodes of the cells at the surface are trivalent: each of these is one hexahedron for
-/// mpsSplit.
-void reportNodes(ToolRun& tool, const TrimRun& run) {
-    const PolyMesh& mesh = run.trimmed.mesh;
-    const std::size_t first = mesh.patches.size() - run.surface.regionNames.size();
-    const Label firstFace = first < mesh.patches.size() ? mesh.patches[first].start : 0;
-    const ValenceCounts nodes = countValences(mesh, firstFace);
-    tool.say("nodes      of cells at the surface: {:.2f} % have three edges, {} have more",
-             100 * nodes.trivalentShare(),
-             nodes.more);
-    tool.report["trivalentNodes"] = nodes.trivalent;
-    tool.report["nodesOfMoreEdges"] = nodes.more;
+/// The first of the patches that the surface's regions have become.
+std::size_t firstPatchOf(const TrimRun& run) {
+    return run.trimmed.mesh.patches.size() - run.surface.regionNames.size();
 }
 
-/// Corners of the surface's features, and which of them the mesh has, bit for bit.
-void reportFeatures(ToolRun& tool, const TrimRun& run) {
+ValenceCounts countNodes(const TrimRun& run) {
+    const PolyMesh& mesh = run.trimmed.mesh;
+    const std::size_t first = firstPatchOf(run);
+    return countValences(mesh, first < mesh.patches.size() ? mesh.patches[first].start : 0);
+}
+
+/// Corners of the surface's features, and which of them the mesh has.
+void findCorners(const TrimRun& run, TrimFigures& figures) {
     const SurfaceFeatures features =
         findFeatures(run.surface, pairEdges(run.surface), run.options.featureAngle);
     std::vector<Vec3> corners;
@@ -93,15 +88,8 @@ void reportFeatures(ToolRun& tool, const TrimRun& run) {
             if (at != corners.end() && *at == mesh.points[index(p)])
                 isFound[static_cast<std::size_t>(at - corners.begin())] = 1;
         }
-    const auto found = std::ranges::count(isFound, char{1});
-    tool.say("features   {} edges of the surface; {} of {} corners are points of the mesh",
-             run.trimmed.summary.featureEdges,
-             found,
-             corners.size());
-    tool.report["featureEdges"] = run.trimmed.summary.featureEdges;
-    tool.report["featureCorners"] = run.trimmed.summary.featureCorners;
-    tool.report["cornersInMesh"] = corners.size();
-    tool.report["cornersCaptured"] = found;
+    figures.cornersWithin = corners.size();
+    figures.cornersFound = static_cast<std::size_t>(std::ranges::count(isFound, char{1}));
 }
 
 /// Area [m^2] of the faces of a patch.
@@ -109,6 +97,27 @@ double areaOf(const PolyMesh& mesh, const Patch& patch) {
     return parallelSum(patch.size, 0.0, [&](Label i) {
         return norm(faceGeometry(mesh.points, mesh.faces[patch.start + i]).area);
     });
+}
+
+/// How many nodes of the cells at the surface are trivalent: each of these is one hexahedron for
+/// mpsSplit.
+void reportNodes(ToolRun& tool, const ValenceCounts& nodes) {
+    tool.say("nodes      of cells at the surface: {:.2f} % have three edges, {} have more",
+             100 * nodes.trivalentShare(),
+             nodes.more);
+    tool.report["trivalentNodes"] = nodes.trivalent;
+    tool.report["nodesOfMoreEdges"] = nodes.more;
+}
+
+void reportFeatures(ToolRun& tool, const TrimSummary& summary, const TrimFigures& figures) {
+    tool.say("features   {} edges of the surface; {} of {} corners are points of the mesh",
+             summary.featureEdges,
+             figures.cornersFound,
+             figures.cornersWithin);
+    tool.report["featureEdges"] = summary.featureEdges;
+    tool.report["featureCorners"] = summary.featureCorners;
+    tool.report["cornersInMesh"] = figures.cornersWithin;
+    tool.report["cornersCaptured"] = figures.cornersFound;
 }
 
 /// One line: a figure of the mesh, and the surface's where it should be the same.
@@ -133,21 +142,18 @@ void compare(ToolRun& tool,
     tool.report[what + "Error"] = error;
 }
 
-void reportSize(ToolRun& tool, const TrimRun& run) {
-    const PolyMesh& mesh = run.trimmed.mesh;
-    const SurfaceMeasure part = measure(run.surface);
+void reportSize(ToolRun& tool, const TrimRun& run, const TrimFigures& figures) {
+    const SurfaceMeasure& part = figures.surface;
     const bool isOutside = run.options.keep == Keep::outside;
     const double wanted = isOutside ? run.initial.volume - part.volume : part.volume;
-    compare(tool, run, "volume", "m^3", {boundedVolume(mesh), wanted});
+    compare(tool, run, "volume", "m^3", {figures.volume, wanted});
     double area = 0;
-    const std::size_t first = mesh.patches.size() - run.surface.regionNames.size();
-    for (std::size_t p = first; p < mesh.patches.size(); ++p) {
-        const Patch& patch = mesh.patches[p];
-        const double patchArea = areaOf(mesh, patch);
-        area += patchArea;
+    for (std::size_t region = 0; region < figures.patchArea.size(); ++region) {
+        const Patch& patch = run.trimmed.mesh.patches[firstPatchOf(run) + region];
+        area += figures.patchArea[region];
         tool.report["patches"][patch.name] = {{"faces", patch.size},
-                                              {"area", patchArea},
-                                              {"surfaceArea", part.regionArea[p - first]}};
+                                              {"area", figures.patchArea[region]},
+                                              {"surfaceArea", part.regionArea[region]}};
     }
     compare(tool, run, "area", "m^2", {area, part.area});
     tool.report["surfaceVolume"] = part.volume;
@@ -204,13 +210,25 @@ void reportAdjust(ToolRun& tool, Adjust how, const AdjustCounts& a) {
     tool.report["closeFaces"] = {a.closeBefore.faces, a.closeAfter.faces};
 }
 
-void reportTrim(ToolRun& tool, const TrimRun& run) {
+TrimFigures measureTrim(const TrimRun& run) {
+    const PolyMesh& mesh = run.trimmed.mesh;
+    TrimFigures figures;
+    figures.nodes = countNodes(run);
+    findCorners(run, figures);
+    figures.surface = measure(run.surface);
+    figures.volume = boundedVolume(mesh);
+    for (std::size_t p = firstPatchOf(run); p < mesh.patches.size(); ++p)
+        figures.patchArea.push_back(areaOf(mesh, mesh.patches[p]));
+    return figures;
+}
+
+void reportTrim(ToolRun& tool, const TrimRun& run, const TrimFigures& figures) {
     reportAdjust(tool, run.options.adjust.how, run.trimmed.summary.adjusted);
     reportCells(tool, run);
     reportRemade(tool, run.trimmed.summary);
-    reportNodes(tool, run);
-    reportFeatures(tool, run);
-    reportSize(tool, run);
+    reportNodes(tool, figures.nodes);
+    reportFeatures(tool, run.trimmed.summary, figures);
+    reportSize(tool, run, figures);
     reportZones(tool, run.initial);
     reportTime(tool);
 }

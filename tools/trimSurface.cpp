@@ -171,9 +171,12 @@ ExitCode run(ToolRun& tool) {
         return runAdjust(tool, std::move(mesh), std::move(surface), how);
     const Trimmed trimmed = trimOrRefuse(tool, file, std::move(mesh), surface, how);
     tool.clock.start("write");
-    foam::writePolyMesh(trimmed.mesh, tool.meshDir(), format);
-    tool.clock.start("report");
-    reportTrim(tool, {initial, surface, how, trimmed, isWithin});
+    const TrimRun done{initial, surface, how, trimmed, isWithin};
+    TrimFigures figures;
+    foam::runAll(std::array<std::function<void()>, 2>{
+        [&] { foam::writePolyMesh(trimmed.mesh, tool.meshDir(), format); },
+        [&] { figures = measureTrim(done); }});
+    reportTrim(tool, done, figures);
     return ExitCode::success;
 }
 

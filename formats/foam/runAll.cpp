@@ -4,6 +4,8 @@
 
 #include "libpolymesh/base/parallel.h"
 
+#include <atomic>
+#include <cstddef>
 #include <exception>
 #include <vector>
 
@@ -11,11 +13,13 @@ namespace polymesh::foam {
 
 void runAll(std::span<const std::function<void()>> tasks) {
     std::vector<std::exception_ptr> failures(tasks.size());
-    parallelBlocks(toLabel(tasks.size()), 1, [&](Label task, Label, Label) {
+    std::atomic<std::size_t> next{0}; // tasks begin in their order, whatever that of the blocks
+    parallelBlocks(toLabel(tasks.size()), 1, [&](Label, Label, Label) {
+        const std::size_t task = next++;
         try {
-            tasks[index(task)]();
+            tasks[task]();
         } catch (...) {
-            failures[index(task)] = std::current_exception();
+            failures[task] = std::current_exception();
         }
     });
     for (const std::exception_ptr& failure : failures)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "libpolymesh/mesh/valences.h"
 
+#include "libpolymesh/base/kept.h"
 #include "libpolymesh/base/parallel.h"
 #include "libpolymesh/base/rows.h"
 
@@ -23,10 +24,25 @@ std::vector<Label> numberCells(const PolyMesh& mesh, Label first) {
     return numbers;
 }
 
-/// Calls `body(number, face)` for each face of each numbered cell.
+/// The faces of numbered cells.
+std::vector<Label> facesOfCells(const PolyMesh& mesh, std::span<const Label> numbers) {
+    const auto isNumbered = [&](Label c) { return numbers[index(c)] >= 0; };
+    const Kept kept(mesh.faceCount(), [&](Label f) {
+        return isNumbered(mesh.owner[index(f)]) ||
+               (mesh.isInternal(f) && isNumbered(mesh.neighbour[index(f)]));
+    });
+    std::vector<Label> faces(index(kept.count()));
+    kept.forEach([&](Label f, Label to) { faces[index(to)] = f; });
+    return faces;
+}
+
+/// Calls `body(number, face)` for each of the faces and each numbered cell that has it.
 template<class Body>
-void forFacesOfCells(const PolyMesh& mesh, std::span<const Label> numbers, Body&& body) {
-    for (Label f = 0; f < mesh.faceCount(); ++f) {
+void forCellsOf(std::span<const Label> faces,
+                const PolyMesh& mesh,
+                std::span<const Label> numbers,
+                Body&& body) {
+    for (const Label f : faces) {
         if (const Label c = numbers[index(mesh.owner[index(f)])]; c >= 0) body(c, f);
         if (!mesh.isInternal(f)) continue;
         if (const Label c = numbers[index(mesh.neighbour[index(f)])]; c >= 0) body(c, f);
@@ -38,14 +54,15 @@ Rows<Label> pointsOfFaces(const PolyMesh& mesh, std::span<const Label> numbers) 
     const Label count = numbers.empty() ? 0 : std::ranges::max(numbers) + 1;
     Rows<Label> rows;
     rows.offsets.assign(index(count) + 1, 0);
-    forFacesOfCells(mesh, numbers, [&](Label c, Label f) {
+    const std::vector<Label> faces = facesOfCells(mesh, numbers);
+    forCellsOf(faces, mesh, numbers, [&](Label c, Label f) {
         rows.offsets[index(c) + 1] += mesh.faces.rowSize(f);
     });
     for (std::size_t c = 1; c < rows.offsets.size(); ++c)
         rows.offsets[c] += rows.offsets[c - 1];
     rows.values.resize(index(rows.offsets.back()));
     std::vector<Label> next(rows.offsets.begin(), rows.offsets.end() - 1);
-    forFacesOfCells(mesh, numbers, [&](Label c, Label f) {
+    forCellsOf(faces, mesh, numbers, [&](Label c, Label f) {
         const auto points = mesh.faces[f];
         std::ranges::copy(points, rows.values.begin() + next[index(c)]);
         next[index(c)] += toLabel(points.size());

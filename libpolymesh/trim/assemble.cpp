@@ -91,22 +91,25 @@ private:
         return {toLabel(static_cast<std::size_t>(after - mesh_.patches.begin())) - 1, own, -1, f};
     }
 
+    FacePlace placeOfEdited(Label f) const {
+        const EditFace& face = part_.mesh.faces[index(f)];
+        FacePlace place{-1, editCell_[index(face.owner)], -1, mesh_.faceCount() + f};
+        if (face.isBoundary()) {
+            place.patch = face.patch;
+        } else {
+            place.neighbour = editCell_[index(face.neighbour)];
+            if (place.owner > place.neighbour) std::swap(place.owner, place.neighbour);
+        }
+        return place;
+    }
+
     /// The edited faces in their order in the result.
     std::vector<FacePlace> listEditedFaces() const {
-        std::vector<FacePlace> places;
-        places.reserve(part_.mesh.faces.size());
-        for (std::size_t f = 0; f < part_.mesh.faces.size(); ++f) {
-            const EditFace& face = part_.mesh.faces[f];
-            if (face.isRemoved()) continue;
-            FacePlace place{-1, editCell_[index(face.owner)], -1, mesh_.faceCount() + toLabel(f)};
-            if (face.isBoundary()) {
-                place.patch = face.patch;
-            } else {
-                place.neighbour = editCell_[index(face.neighbour)];
-                if (place.owner > place.neighbour) std::swap(place.owner, place.neighbour);
-            }
-            places.push_back(place);
-        }
+        const auto& faces = part_.mesh.faces;
+        const Kept kept(toLabel(faces.size()),
+                        [&](Label f) { return !faces[index(f)].isRemoved(); });
+        std::vector<FacePlace> places = freshList<FacePlace>(index(kept.count()));
+        kept.forEach([&](Label f, Label to) { places[index(to)] = placeOfEdited(f); });
         parallelSort(places);
         return places;
     }

@@ -346,18 +346,29 @@ private:
         (seen[0] < 0 ? seen[0] : seen[1]) = patch;
     }
 
-    /// A point of two patches is on a border between them, one of three is a corner.
+    bool isOfFrozen(const EditFace& face) const {
+        const auto isFrozen = [&](Label c) { return c >= 0 && part_.mesh.cells[index(c)].frozen; };
+        return isFrozen(face.owner) || isFrozen(face.neighbour);
+    }
+
+    /// A point of two patches is on a border between them, one of three is a corner; those of
+    /// frozen cells stay where they are.
     void rankByPatches() {
+        const auto& faces = part_.mesh.faces;
+        const Kept boundary(toLabel(faces.size()), [&](Label f) {
+            const EditFace& face = faces[index(f)];
+            if (isOfFrozen(face))
+                for (const Label p : face.points)
+                    std::atomic_ref<PointRank>(part_.mesh.ranks[index(p)])
+                        .store(PointRank::fixed, std::memory_order_relaxed);
+            return face.isBoundary();
+        });
+        std::vector<Label> listed(index(boundary.count()));
+        boundary.forEach([&](Label f, Label to) { listed[index(to)] = f; });
         std::vector<std::array<Label, 2>> patches(part_.mesh.points.size(), {-1, -1});
-        for (const EditFace& face : part_.mesh.faces) {
-            const bool isOfFrozen =
-                part_.mesh.cells[index(face.owner)].frozen ||
-                (face.neighbour >= 0 && part_.mesh.cells[index(face.neighbour)].frozen);
-            for (const Label p : face.points) {
-                if (isOfFrozen) raise(p, PointRank::fixed);
-                if (face.isBoundary()) rankByPatch(p, face.patch, patches[index(p)]);
-            }
-        }
+        for (const Label f : listed)
+            for (const Label p : faces[index(f)].points)
+                rankByPatch(p, faces[index(f)].patch, patches[index(p)]);
     }
 
     /// Where the point that should stand for others is not used itself, the first that is does.

@@ -3,6 +3,7 @@
 #include "libpolymesh/trim/trim.h"
 
 #include "libpolymesh/base/error.h"
+#include "libpolymesh/base/freedMemory.h"
 #include "libpolymesh/quality/cellTopology.h"
 #include "libpolymesh/quality/cleanUp.h"
 #include "libpolymesh/quality/collapsePoints.h"
@@ -271,6 +272,7 @@ Cut cutMesh(PolyMesh mesh,
     if (options.adjust.how == Adjust::project) cut.smallCells = findSmallCells(part);
 
     options.onStage("assemble");
+    giveBackFreedMemory(); // old mesh, edited part and result are there at the same time
     std::vector<std::string> types = options.regionTypes;
     const std::vector<std::string>& regions = surface.cutter.surface->regionNames;
     types.resize(regions.size(), "wall");

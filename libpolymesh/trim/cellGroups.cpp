@@ -39,6 +39,23 @@ double cone(const PointPositions& positions, std::span<const Label> polygon, con
     return sum;
 }
 
+/// Whether the point is within `tolerance` [m] of the fan round the polygon's `centre`.
+bool isNearFan(const PointPositions& positions,
+               const LoopPolygon& polygon,
+               const Vec3& centre,
+               Label point,
+               double tolerance) {
+    const Vec3& p = positions[index(point)];
+    Label from = polygon.back();
+    for (const Label to : polygon) {
+        if (distanceToTriangle(p, positions[index(from)], positions[index(to)], centre) <=
+            tolerance)
+            return true;
+        from = to;
+    }
+    return false;
+}
+
 /// The same for polygons with the same points, in whatever order they are.
 std::uint64_t fingerprint(std::span<const Label> polygon) {
     std::uint64_t sum = 0;
@@ -94,15 +111,41 @@ bool CellGroups::fits(Label a, Label b, double cone) {
     return true;
 }
 
+/// A side of a piece, counted through all pieces of the cell.
+Label CellGroups::sideOf(const CellInput& input, Label piece, std::size_t side) const {
+    const auto& offsets = input.pieces.polygons.offsets;
+    return offsets[index(firstPiece_ + piece)] - offsets[index(firstPiece_)] + toLabel(side);
+}
+
+/// Finds what is across each side: of several pieces at an interval the lowest other one.
+void CellGroups::pairSides() {
+    for (std::size_t first = 0; first < entries_.size();) {
+        std::size_t last = first + 1;
+        while (last < entries_.size() && entries_[last].interval == entries_[first].interval)
+            ++last;
+        for (std::size_t i = first; i < last; ++i)
+            for (std::size_t j = first; j < last; ++j)
+                if (entries_[j].piece != entries_[i].piece) {
+                    across_[index(entries_[i].side)] = entries_[j].piece;
+                    break;
+                }
+        first = last;
+    }
+}
+
 /// Lists the intervals of the cell's pieces, and the edges across which two may be joined.
 void CellGroups::listJoins(const CellInput& input) {
     entries_.clear();
-    for (Label i = 0; i < pieceCount_; ++i)
-        for (const Label interval : intervalsOf(input.pieces, firstPiece_ + i))
-            if (interval >= 0) entries_.push_back({interval, i});
+    for (Label i = 0; i < pieceCount_; ++i) {
+        const auto intervals = intervalsOf(input.pieces, firstPiece_ + i);
+        for (std::size_t k = 0; k < intervals.size(); ++k)
+            if (intervals[k] >= 0) entries_.push_back({intervals[k], i, sideOf(input, i, k)});
+    }
     std::ranges::sort(entries_, [](const Entry& a, const Entry& b) {
         return a.interval != b.interval ? a.interval < b.interval : a.piece < b.piece;
     });
+    across_.assign(index(sideOf(input, pieceCount_, 0)), -1);
+    pairSides();
     joins_.clear();
     features_.clear();
     for (std::size_t k = 0; k + 1 < entries_.size(); ++k) {
@@ -169,7 +212,7 @@ void CellGroups::cutGroup(const CellInput& input, Label group) {
         for (std::size_t k = 0; k < points.size(); ++k) {
             const Label to = points[(k + 1) % points.size()];
             const Label interval = pieceIntervals[k];
-            const Label other = interval < 0 ? -1 : otherPiece(interval, i);
+            const Label other = across_[index(sideOf(input, i, k))];
             if (other < 0 || groupOf(other) != group) {
                 outline.push_back(points[k]);
                 outline.push_back(to);
@@ -193,14 +236,6 @@ void CellGroups::cutGroup(const CellInput& input, Label group) {
         if (carried[k].isBorder && !net[k].isBorder) cuts_.push_back(intervals[k]);
 }
 
-/// The piece on the other side of an interval, or -1.
-Label CellGroups::otherPiece(Label interval, Label piece) const {
-    auto k = std::ranges::lower_bound(entries_, interval, {}, &Entry::interval);
-    for (; k != entries_.end() && k->interval == interval; ++k)
-        if (k->piece != piece) return k->piece;
-    return -1;
-}
-
 void CellGroups::listOutlines(const CellInput& input) {
     edges_.clear();
     borderEnds_.clear();
@@ -211,7 +246,7 @@ void CellGroups::listOutlines(const CellInput& input) {
         for (std::size_t k = 0; k < points.size(); ++k) {
             const Label to = points[(k + 1) % points.size()];
             if (intervals[k] >= 0) {
-                const Label other = otherPiece(intervals[k], i);
+                const Label other = across_[index(sideOf(input, i, k))];
                 if (other >= 0 && groupOf(other) == group) continue;
                 borderEnds_.push_back(points[k]);
                 borderEnds_.push_back(to);
@@ -380,32 +415,32 @@ void CellGroups::checkFaces(const CellInput& input,
                             const KeptPoints& kept) {
     listPolygons(input, loops, kept);
     checkShells(input);
-    for (Label i = 0; i < pieceCount_; ++i) {
-        const Label group = groupOf(i);
-        const Label f = faceOfPiece_[index(i)];
-        if (f < 0 || isBad_[index(group)] != 0) continue;
-        if (deviation(input, i, faces_[index(f)].points) > tolerance) isBad_[index(group)] = 1;
-    }
+    checkDeviation(input, tolerance);
 }
 
-/// Largest distance of a point of the piece from the face that it has become a part of [m].
-double CellGroups::deviation(const CellInput& input, Label piece, const LoopPolygon& face) const {
-    double largest = 0;
-    const Vec3 centre = mean(input.positions, std::span<const Label>(face.data(), face.size()));
-    for (const Label p : input.pieces.polygons[firstPiece_ + piece]) {
-        if (std::ranges::find(face, p) != face.end()) continue;
-        const Vec3& at = input.positions[index(p)];
-        double distance = Box::inf;
-        for (std::size_t k = 0; k < face.size(); ++k)
-            distance =
-                std::min(distance,
-                         distanceToTriangle(at,
-                                            input.positions[index(face[k])],
-                                            input.positions[index(face[(k + 1) % face.size()])],
-                                            centre));
-        largest = std::max(largest, distance);
+/// Marks the groups as bad that have a point of a piece farther from their face than `tolerance`.
+void CellGroups::checkDeviation(const CellInput& input, double tolerance) {
+    dropped_.clear();
+    for (Label i = 0; i < pieceCount_; ++i) {
+        const Label f = faceOfPiece_[index(i)];
+        if (f < 0 || isBad_[index(groupOf(i))] != 0) continue;
+        for (const Label p : input.pieces.polygons[firstPiece_ + i])
+            if (std::ranges::find(faces_[index(f)].points, p) == faces_[index(f)].points.end())
+                dropped_.push_back({groupOf(i), p});
     }
-    return largest;
+    std::ranges::sort(dropped_);
+    Label group = -1;
+    Vec3 centre;
+    for (std::size_t i = 0; i < dropped_.size(); ++i) {
+        if (i > 0 && dropped_[i] == dropped_[i - 1]) continue;
+        const LoopPolygon& face = faces_[index(faceOfPiece_[index(dropped_[i].group)])].points;
+        if (dropped_[i].group != group)
+            centre = mean(input.positions, std::span<const Label>(face.data(), face.size()));
+        group = dropped_[i].group;
+        if (isBad_[index(group)] == 0 &&
+            !isNearFan(input.positions, face, centre, dropped_[i].point, tolerance))
+            isBad_[index(group)] = 1;
+    }
 }
 
 } // namespace polymesh

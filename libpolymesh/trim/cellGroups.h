@@ -102,9 +102,11 @@ public:
                     const KeptPoints& kept);
 
 private:
+    /// A side of a piece.
     struct Entry {
         Label interval;
         Label piece;
+        Label side; // see sideOf
     };
 
     /// Normals of a group: their sum, weighted with the area, and how far one turns from it.
@@ -128,6 +130,13 @@ private:
         Label group; // -1: of a mesh face
     };
 
+    /// A point that the face of a group has dropped.
+    struct DroppedPoint {
+        Label group;
+        Label point;
+        auto operator<=>(const DroppedPoint&) const = default;
+    };
+
     struct OutlineEdge {
         Label group;
         Label from;
@@ -147,8 +156,9 @@ private:
     void cutGroup(const CellInput& input, Label group);
     void listPolygons(const CellInput& input, const FaceLoops& loops, const KeptPoints& kept);
     void checkShells(const CellInput& input);
-    double deviation(const CellInput& input, Label piece, const LoopPolygon& face) const;
-    Label otherPiece(Label interval, Label piece) const;
+    void checkDeviation(const CellInput& input, double tolerance);
+    Label sideOf(const CellInput& input, Label piece, std::size_t side) const;
+    void pairSides();
     void listOutlines(const CellInput& input);
     void walkOutlines(const CellInput& input);
     std::size_t next(std::size_t at) const;
@@ -164,9 +174,11 @@ private:
     std::vector<Join> joins_;
     std::vector<Join> features_; // edges that must not have one group on both sides
     std::vector<Label> cuts_;    // sorted intervals that are borders to make features borders
-    std::vector<Entry> entries_;
+    std::vector<Entry> entries_; // sorted
+    std::vector<Label> across_;  // per side: the piece on the other side of its interval, or -1
     std::vector<OutlineEdge> edges_;
     std::vector<Label> borderEnds_;
+    std::vector<DroppedPoint> dropped_;
     std::vector<Face> faces_;
     std::vector<Label> faceOfPiece_;
     std::vector<Label> keptVertices_; // sorted

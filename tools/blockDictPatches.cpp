@@ -147,7 +147,7 @@ void BlockDictReader::readPatches() {
     for (std::size_t p = 0; p < mesh.patches.size(); ++p)
         for (std::size_t q = 0; q < p; ++q)
             require(mesh.patches[p].patch.name != mesh.patches[q].patch.name,
-                    "{}: there are two patches {}",
+                    "{}: there are two patches {}; give each a name of its own",
                     dictionary.place().text(),
                     mesh.patches[p].patch.name);
 }

@@ -72,7 +72,7 @@ const Shape& BlockDictReader::shape(const foam::Value& names) {
     if (known != shapes.end()) return known->second;
     const foam::Dictionary& geometry = dictionary.dictionary("geometry");
     require(geometry.has(name),
-            "{}: project: there is no surface {} in geometry",
+            "{}: project: there is no surface {} in geometry; enter it there",
             names.place.text(),
             name);
     return shapes[name] = shapeOf(name, geometry.dictionary(name), findSurface);

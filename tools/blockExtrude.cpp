@@ -40,11 +40,14 @@ void addPair(const TriSurface& surface,
              Label t,
              const std::string& where,
              std::vector<SheetQuad>& quads) {
-    require(t + 1 < surface.triangleCount(), "{}: is no quadrilateral but a triangle", where);
+    require(t + 1 < surface.triangleCount(),
+            "{}: is no quadrilateral but a triangle; write the surface in quadrilaterals (OBJ, "
+            "OFF, PLY)",
+            where);
     const auto& a = surface.triangles[index(t)];
     const auto& b = surface.triangles[index(t + 1)];
     require(a[0] == b[0] && a[2] == b[1],
-            "{}: is no quadrilateral; extrude takes surfaces of quadrilaterals alone",
+            "{}: is no quadrilateral; write the surface in quadrilaterals (OBJ, OFF, PLY)",
             where);
     quads.push_back({{a[0], a[1], a[2], b[2]}, where});
 }
@@ -79,7 +82,7 @@ void readPatch(const foam::Value& name, const ShorthandFiles& files, ExtrusionSp
             {},
             fmt::format("{}: face {} of patch {}", name.place.text(), f - patch->start, patchName)};
         require(face.size() == 4,
-                "{}: has {} points; extrude takes patches of quadrilaterals alone",
+                "{}: has {} points; name a patch of quadrilaterals alone",
                 quad.where,
                 face.size());
         for (std::size_t i = 0; i < 4; ++i) {
@@ -120,7 +123,7 @@ BlockMeshDescription readExtrude(const foam::Dictionary& dictionary, const Short
     else
         readQuads(dictionary, extrusion);
     require(!extrusion.quads.empty(),
-            "{}: extrude: the sheet has no quadrilaterals",
+            "{}: extrude: the sheet has no quadrilaterals; give it at least one",
             dictionary.place().text());
     const foam::Value& vector = dictionary.entry("vector").value();
     extrusion.vector = pointOf(vector, "vector");

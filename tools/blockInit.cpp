@@ -53,7 +53,7 @@ bool isRoundSurface(const Settings& settings) {
     const bool roundOption = settings.isOption("surface") || settings.isOption("cellSize");
     const bool givenOption = settings.isOption("box") || settings.isOption("cells");
     require(roundOption != givenOption,
-            "{} and {} exclude each other",
+            "{} and {} exclude each other; leave one of them out",
             settings.place(settings.has("surface") ? "surface" : "cellSize"),
             settings.place(settings.has("box") ? "box" : "cells"));
     return roundOption;

@@ -232,7 +232,10 @@ std::vector<NamedDictionary> findShorthands(const foam::Dictionary& dictionary) 
             }
         }
     }
-    require(!found.empty(), "{}: {}: the list is empty", dictionary.place().text(), partList);
+    require(!found.empty(),
+            "{}: {}: the list is empty; give at least one part",
+            dictionary.place().text(),
+            partList);
     return found;
 }
 

@@ -140,10 +140,6 @@ std::vector<std::string> Dictionary::words(std::string_view key) const {
     return converted<std::string>(list(key), [&](const Value& v) { return v.string(key); });
 }
 
-std::vector<double> Dictionary::scalars(std::string_view key) const {
-    return converted<double>(list(key), [&](const Value& v) { return v.scalar(key); });
-}
-
 std::vector<Label> Dictionary::labels(std::string_view key) const {
     return converted<Label>(list(key), [&](const Value& v) { return v.label(key); });
 }

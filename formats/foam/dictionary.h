@@ -103,7 +103,6 @@ public:
     }
 
     std::vector<std::string> words(std::string_view key) const;
-    std::vector<double> scalars(std::string_view key) const;
     std::vector<Label> labels(std::string_view key) const;
     std::vector<Vec3> vectors(std::string_view key) const;
     const Dictionary& dictionary(std::string_view key) const;

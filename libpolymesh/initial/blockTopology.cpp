@@ -56,7 +56,7 @@ SideUses sideUses(const std::vector<Block>& blocks) {
             SideUse& use = uses[key];
             require(use.count < 2 || key.size() < 3,
                     "{}: side {} of this block is also a side of the blocks at {} and {}; only two "
-                    "can meet",
+                    "can meet, so leave one out or give it other vertices",
                     block.where,
                     shown(vertices),
                     blocks[index(use.blocks[0].block)].where,
@@ -111,7 +111,8 @@ SharedSide sharedSide(const std::vector<Block>& blocks, const SideUse& use) {
         return w.vertices == vertices && w.grids[1].counts == grid.counts;
     });
     require(found,
-            "{}: side {} of this block has {} cells, but on the block at {} it has {}",
+            "{}: side {} of this block has {} cells, but on the block at {} it has {}; give both "
+            "the same",
             second.where,
             shown(vertices),
             fmt::join(other.counts, " x "),
@@ -137,17 +138,18 @@ void assign(const BlockMeshDescription& description,
         return;
     }
     require(found != uses.end(),
-            "{}: patch {}: {} is no side of a block",
+            "{}: patch {}: {} is no side of a block; give the four vertices of a side",
             side.where,
             name,
             shown(side.vertices));
     require(found->second.count != 2,
-            "{}: patch {}: side {} lies between two blocks, so it can not be on the boundary",
+            "{}: patch {}: side {} lies between two blocks, so it can not be on the boundary; "
+            "leave it out",
             side.where,
             name,
             shown(side.vertices));
     require(found->second.patch < 0 || found->second.patch == patch,
-            "{}: patch {}: side {} belongs to patch {} already",
+            "{}: patch {}: side {} belongs to patch {} already; leave it out of one of them",
             side.where,
             name,
             shown(side.vertices),

@@ -50,7 +50,7 @@ CartesianBox boxAround(const Box& surfaceBox, double cellSize, double margin) {
     require(std::isfinite(cellSize) && cellSize > 0, "cell size {}: must be positive", cellSize);
     require(std::isfinite(margin) && margin >= 0, "margin {}: must not be negative", margin);
     require(!surfaceBox.isEmpty() && isFinite(surfaceBox.min) && isFinite(surfaceBox.max),
-            "the surface has no points to put a box around");
+            "the surface has no points to put a box around; give one with triangles");
     std::array<double, 3> n{};
     for (int axis = 0; axis < 3; ++axis) {
         const double cells = (surfaceBox.size()[axis] + 2 * margin) / cellSize;
@@ -73,12 +73,17 @@ CartesianMesh::CartesianMesh(const CartesianBox& box)
             nz_);
     requireLabelsFit(
         {static_cast<double>(nx_), static_cast<double>(ny_), static_cast<double>(nz_)});
-    require(isFinite(box.box.min) && isFinite(box.box.max), "the box is not finite");
+    require(isFinite(box.box.min) && isFinite(box.box.max),
+            "the box is not finite; give corners that are numbers");
     for (int axis = 0; axis < 3; ++axis) {
         const auto a = static_cast<std::size_t>(axis);
         const double min = box.box.min[axis];
         const double max = box.box.max[axis];
-        require(min < max, "the box from {} to {} in {} is empty", min, max, axisName[a]);
+        require(min < max,
+                "the box from {} to {} in {} is empty; give the smaller corner first",
+                min,
+                max,
+                axisName[a]);
         planes_[a] = planesBetween(min, max, box.cells[a], axisName[a]);
     }
 }

@@ -37,7 +37,9 @@ public:
 
     PolyMesh make() {
         mesh_.cellCount = cells_.count();
-        require(mesh_.cellCount > 0, "all cells of the box are outside the surface");
+        require(mesh_.cellCount > 0,
+                "all cells of the box are outside the surface; choose smaller cells or leave out "
+                "-inside");
         used_ = freshList<std::uint8_t>(index(box_.pointCount()));
         countInternal();
         countSides();

@@ -143,7 +143,9 @@ Curve arcAbout(const Vec3& centre, std::string where) {
                const Vec3& start, const Vec3& end, std::span<const double> parameters) {
         const Vec3 chord = end - start;
         const Vec3 middle = 0.5 * (start + end);
-        require(squaredNorm(chord) > 0, "{}: the ends of this arc coincide", where);
+        require(squaredNorm(chord) > 0,
+                "{}: the ends of this arc coincide; leave the edge out or move a vertex",
+                where);
         // Moved into the plane of symmetry of the ends, within the plane of the three points.
         const Vec3 moved = centre - (dot(centre - middle, chord) / squaredNorm(chord)) * chord;
         const Vec3 from = start - moved;

@@ -6,6 +6,8 @@
 #include "libpolymesh/initial/joinFaces.h"
 #include "libpolymesh/surface/boxTree.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -17,7 +19,15 @@ namespace {
 
 const Patch& findPatch(const PolyMesh& mesh, const std::string& name, const std::string& where) {
     const auto found = std::ranges::find(mesh.patches, name, &Patch::name);
-    require(found != mesh.patches.end(), "{}: there is no patch {}", where, name);
+    std::vector<std::string> names;
+    if (found == mesh.patches.end())
+        for (const Patch& patch : mesh.patches)
+            names.push_back(patch.name);
+    require(found != mesh.patches.end(),
+            "{}: there is no patch {}; expected one of: {}",
+            where,
+            name,
+            fmt::join(names, ", "));
     return *found;
 }
 
@@ -110,7 +120,10 @@ std::vector<FacePair> matchingFaces(const PolyMesh& mesh,
 void mergePatches(PolyMesh& mesh, const PatchPair& pair) {
     const Patch& master = findPatch(mesh, pair.master, pair.where);
     const Patch& slave = findPatch(mesh, pair.slave, pair.where);
-    require(&master != &slave, "{}: patch {} is paired with itself", pair.where, pair.master);
+    require(&master != &slave,
+            "{}: patch {} is paired with itself; name two patches that touch",
+            pair.where,
+            pair.master);
     std::vector<Label> merged = mergedPoints(mesh, master, slave);
     const std::vector<FacePair> matching = matchingFaces(mesh, master, pair, merged);
     joinFaces(mesh, std::move(merged), matching);

@@ -177,7 +177,7 @@ private:
                 if (!isOuter && !isOnBoundary(other)) return;
                 if (!body) body = bodyOf(mesh_, faces_[c]);
                 require(!overlap(*body, bodyOf(mesh_, faces_[other])),
-                        "{}: overlaps the part at {} near {}",
+                        "{}: overlaps the part at {} near {}; move or shrink one of them",
                         parts_[index(a)].where,
                         parts_[index(b)].where,
                         shown(body->middle()));

@@ -130,7 +130,8 @@ std::vector<FacePair> pairFaces(const PolyMesh& mesh,
             const FacePair pair{faces[i].face, faces[i + 1].face};
             const Vec3 at = middleOf(mesh, pair[0]);
             require(end - i == 2 && !isSameSide(mesh, pair, merged),
-                    "{}: overlaps the part at {} near ({:.6g} {:.6g} {:.6g})",
+                    "{}: overlaps the part at {} near ({:.6g} {:.6g} {:.6g}); move or shrink one "
+                    "of them",
                     where(pair[1]),
                     where(pair[0]),
                     at.x,

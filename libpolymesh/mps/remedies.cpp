@@ -326,12 +326,4 @@ std::vector<std::pair<Label, Label>> partnersOf(const PolyMesh& mesh,
     return pairsOf(cells, steps);
 }
 
-PolyMesh withRemedies(PolyMesh mesh, const Remedies& remedies) {
-    mesh.points.insert(mesh.points.end(), remedies.points.begin(), remedies.points.end());
-    mesh = withPieces(std::move(mesh), remedies.faces);
-    const Rows<Label> faces = cellFaces(mesh);
-    mesh = withCones(std::move(mesh), faces, remedies.cells);
-    return withJoinedCells(std::move(mesh), remedies.joined);
-}
-
 } // namespace polymesh

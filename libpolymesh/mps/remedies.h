@@ -69,7 +69,4 @@ std::vector<std::pair<Label, Label>> partnersOf(const PolyMesh& mesh,
                                                 const KeptZones& zones = {},
                                                 Partner which = Partner::closest);
 
-/// The mesh with these steps taken. Cost: linear.
-PolyMesh withRemedies(PolyMesh mesh, const Remedies& remedies);
-
 } // namespace polymesh

@@ -34,7 +34,7 @@ void readEveryEntry(const Dictionary& dictionary) {
         attempt([&] { return dictionary.label(entry.key); });
         attempt([&] { return dictionary.flag(entry.key); });
         attempt([&] { return dictionary.vector(entry.key); });
-        attempt([&] { return dictionary.scalars(entry.key); });
+        attempt([&] { return dictionary.labels(entry.key); });
         attempt([&] { return dictionary.words(entry.key); });
         attempt([&] { return namedDictionaries(entry); });
         if (entry.dictionary) readEveryEntry(*entry.dictionary);

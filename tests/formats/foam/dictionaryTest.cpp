@@ -36,7 +36,7 @@ TEST(Dictionary, readsEveryTypeOfValue) {
     EXPECT_EQ(dict.vector("corner"), (Vec3{1, 2.5, -3}));
     EXPECT_EQ(dict.word("scheme"), "div(phi,U)");
     EXPECT_EQ(dict.labels("sized"), (std::vector<Label>{7, 8, 9}));
-    EXPECT_EQ(dict.scalars("counted"), (std::vector<double>{1, 2}));
+    EXPECT_EQ(dict.labels("counted"), (std::vector<Label>{1, 2}));
     EXPECT_EQ(dict.words("names"), (std::vector<std::string>{"a", "b c", "d"}));
     EXPECT_EQ(dict.vectors("points"), (std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}}));
     EXPECT_TRUE(dict.list("empty").empty());
@@ -95,7 +95,7 @@ TEST(Dictionary, includesRelativeToTheFileAndNamesTheRightOne) {
     writeText(directory.path() / "system/parts/more", "#include \"again\"\nsize (1 2);\n");
     writeText(directory.path() / "system/parts/again", "\nmargin x;\n");
     const Dictionary dict = readDictionary(path);
-    EXPECT_EQ(dict.scalars("after").size(), 2U);
+    EXPECT_EQ(dict.labels("after"), (std::vector<Label>{1, 2}));
     EXPECT_EQ(inputError([&] { (void)dict.scalar("margin"); }),
               (directory.path() / "system/parts/again").string() +
                   ":2: margin: found x, expected a number");
@@ -190,7 +190,9 @@ TEST(Dictionary, evaluatesArithmetic) {
     EXPECT_EQ(dict.scalar("a"), 7);
     EXPECT_EQ(dict.scalar("b"), 0.5);
     EXPECT_EQ(dict.scalar("c"), 3.5); // whole numbers divide as in C++
-    EXPECT_EQ(dict.scalars("e"), (std::vector<double>{3, 4}));
+    EXPECT_EQ(dict.list("e").size(), 2U);
+    EXPECT_EQ(dict.list("e")[0].scalar("e"), 3);
+    EXPECT_EQ(dict.list("e")[1].scalar("e"), 4);
     EXPECT_DOUBLE_EQ(dict.scalar("f"), 3.141592653589793);
     EXPECT_NE(inputError([] { parse("a #eval{" + std::string(10000, '(') + "};"); }).find("nested"),
               std::string::npos);

@@ -164,6 +164,15 @@ TEST(JoinCells, facesBetweenThemGoAndZonesFollow) {
     EXPECT_NEAR(test::volumeOf(joined), test::volumeOf(mesh), 1e-12);
 }
 
+/// The mesh with these steps taken.
+PolyMesh withRemedies(PolyMesh mesh, const Remedies& remedies) {
+    mesh.points.insert(mesh.points.end(), remedies.points.begin(), remedies.points.end());
+    mesh = withPieces(std::move(mesh), remedies.faces);
+    const Rows<Label> faces = cellFaces(mesh);
+    mesh = withCones(std::move(mesh), faces, remedies.cells);
+    return withJoinedCells(std::move(mesh), remedies.joined);
+}
+
 /// Takes step after step until no part is inverted; counts the cells joined.
 std::size_t remedied(PolyMesh& mesh) {
     constexpr int steps = 8;

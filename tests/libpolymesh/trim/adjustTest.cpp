@@ -280,9 +280,9 @@ TEST(Adjust, projectLeavesNoSmallCellWhateverTheBody) {
             return std::ranges::min(computeGeometry(mesh).cellVolumes) * (14 * 14 * 14);
         };
         const double none = smallest(Adjust::none);
-        const double project = smallest(Adjust::project);
-        EXPECT_GT(project, 20 * none) << "seed " << seed;
-        EXPECT_GT(project, 1e-4) << "seed " << seed;
+        const double projected = smallest(Adjust::project);
+        EXPECT_GT(projected, 20 * none) << "seed " << seed;
+        EXPECT_GT(projected, 1e-4) << "seed " << seed;
     }
 }
 

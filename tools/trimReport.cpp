@@ -46,18 +46,20 @@ void reportRemade(ToolRun& tool, const TrimSummary& summary) {
         const auto& [min, max] = place.box;
         tool.report["remadePlaces"].push_back({{"min", {min.x, min.y, min.z}},
                                                {"max", {max.x, max.y, max.z}},
-                                               {"factor", place.factor}});
+                                               {"factor", place.factor},
+                                               {"keepsFeatures", !place.isBlunt}});
     }
     const FidelityPlace& last = summary.remadePlaces.back();
     const Vec3 middle = last.box.centre();
     tool.say("remade     {} cells with another deviation since some came out bad, one of {} places "
-             "at ({:.6g} {:.6g} {:.6g}), {:g} times the deviation",
+             "at ({:.6g} {:.6g} {:.6g}), {:g} times the deviation{}",
              summary.remadeCells,
              summary.remadePlaces.size(),
              middle.x,
              middle.y,
              middle.z,
-             last.factor);
+             last.factor,
+             last.isBlunt ? ", features not kept" : "");
 }
 
 /// The first of the patches that the surface's regions have become.

@@ -30,6 +30,7 @@ void countMove(Remedy remedy, RepairCounts& counts) {
         ++counts.merges;
         break;
     case Remedy::splitFace:
+    case Remedy::detach:
         ++counts.splits;
         break;
     default:
@@ -66,17 +67,16 @@ bestMove(MeshEditor& editor, Label cell, WorkBudget& budget, bool mayPassOn) {
     return std::nullopt;
 }
 
-/// Makes the change; the cells that should be looked at again are added to `touched`.
-void apply(MeshEditor& editor,
-           const RepairMove& move,
-           RepairCounts& counts,
-           std::deque<Label>& touched) {
-    const auto cells = makeMove(editor, move);
-    editor.commit();
-    countMove(move.remedy, counts);
-    if (!cells) return; // never: it has been tried
-    const std::vector<Label> all = withNeighbours(editor, *cells);
-    touched.insert(touched.end(), all.begin(), all.end());
+/// Notes the cells round changed ones, as those whose quality may have changed, and queues those of
+/// them that fail. Others would count as waiting, and each cell's share of the work goes by these.
+void lookAgain(MeshEditor& editor,
+               std::span<const Label> changed,
+               std::vector<Label>& noted,
+               std::deque<Label>& queue) {
+    for (const Label c : withNeighbours(editor, changed)) {
+        noted.push_back(c);
+        if (isFailing(editor, c)) queue.push_back(c);
+    }
 }
 
 /// Makes the best changes one after the other.
@@ -103,9 +103,11 @@ void mendFailingCells(MeshEditor& editor,
         const std::optional<RepairMove> proposal = bestMove(editor, c, budget, passesLeft > 0);
         if (!proposal) continue;
         const Label oldCells = editor.cellCount();
-        const std::size_t known = queue.size();
-        apply(editor, *proposal, counts, queue);
-        cells.insert(cells.end(), queue.begin() + static_cast<std::ptrdiff_t>(known), queue.end());
+        const auto changed = makeMove(editor, *proposal);
+        editor.commit();
+        countMove(proposal->remedy, counts);
+        if (!changed) continue; // never: it has been tried
+        lookAgain(editor, *changed, cells, queue);
         --changesLeft;
         passesLeft -= !isGood(proposal->change);
         const int soFar = visits[c]; // what c is or becomes a part of has been visited as often
@@ -157,9 +159,7 @@ void mendBySequences(MeshEditor& editor,
             countMove(move.remedy, counts);
         for (Label part = oldCells; part < editor.cellCount(); ++part)
             visits[part] = visits[c]; // a part of what has been visited as often
-        const std::vector<Label> round = withNeighbours(editor, changed);
-        queue.insert(queue.end(), round.begin(), round.end());
-        cells.insert(cells.end(), round.begin(), round.end());
+        lookAgain(editor, changed, cells, queue);
     }
 }
 
@@ -215,7 +215,8 @@ void remakeFailingCells(MeshEditor& editor,
 RepairCounts repairCells(MeshEditor& editor) {
     RepairCounts counts;
     std::vector<Label> cells = failingCells(editor);
-    WorkBudget budget(40000 + std::int64_t{editor.cellCount()});
+    const std::int64_t cellCount = editor.cellCount();
+    WorkBudget budget(std::min(5000 + 20 * cellCount, 40000 + cellCount));
     mendFailingCells(editor, cells, budget, counts);
     counts.work = budget.used();
     counts.left = stillFailing(editor, std::move(cells));

@@ -179,6 +179,7 @@ std::vector<Label> cellsChangedBy(const MeshEditor& editor, const RepairMove& mo
         cells = {move.from, move.to};
         break;
     case Remedy::splitFace:
+    case Remedy::detach:
         cells = {move.cell};
         break;
     case Remedy::collapseAll: {
@@ -208,6 +209,7 @@ bool change(MeshEditor& editor, const RepairMove& move) {
     case Remedy::merge:
         return mergeCells(editor, move.from, move.to);
     case Remedy::splitFace:
+    case Remedy::detach:
         return splitAtChord(editor, move);
     case Remedy::collapseAll:
         return collapseAll(editor, move.from, shortLimits[index(move.to)]) > 0;
@@ -226,7 +228,8 @@ bool change(MeshEditor& editor, const RepairMove& move) {
 
 /// Whether the boundary may move by it.
 bool movesPoints(Remedy remedy) {
-    return remedy != Remedy::cut && remedy != Remedy::merge && remedy != Remedy::splitFace;
+    return remedy != Remedy::cut && remedy != Remedy::merge && remedy != Remedy::splitFace &&
+           remedy != Remedy::detach;
 }
 
 /// The cells that are judged before and after a move: with all that share a face with what changes.
@@ -301,7 +304,9 @@ public:
             for (std::size_t i = 0; i < polygon.size(); ++i)
                 for (std::size_t j = i + 2; j < polygon.size() - (i == 0); ++j)
                     if (spend())
-                        judge({.remedy = Remedy::splitFace,
+                        judge({.remedy = cellHasEdge(editor_, cell_, polygon[i], polygon[j])
+                                             ? Remedy::detach
+                                             : Remedy::splitFace,
                                .from = polygon[i],
                                .to = polygon[j],
                                .face = f,

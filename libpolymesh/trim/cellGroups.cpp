@@ -155,7 +155,8 @@ void CellGroups::listJoins(const CellInput& input) {
         const double sharpness =
             input.sharpness[index(input.edgeOfInterval[index(entries_[k].interval)])];
         const Join join{sharpness, a, b, entries_[k].interval};
-        if (sharpness >= featureSharpness) features_.push_back(join);
+        const bool isKept = !isBlunt(a) || !isBlunt(b);
+        if (sharpness >= featureSharpness && isKept) features_.push_back(join);
         if (levelOf(a) == levelOf(b) && sharpness <= input.levels[levelOf(a)].sharpest)
             joins_.push_back(join);
     }
@@ -303,16 +304,19 @@ std::size_t CellGroups::next(std::size_t at) const {
 void CellGroups::keepVertices(const CellInput& input, double tolerance) {
     const Label firstVertex = input.arrangement.firstVertex();
     std::vector<Label> seen;
-    for (const Face& face : faces_)
+    bool keepsCorners = false;
+    for (const Face& face : faces_) {
+        keepsCorners = keepsCorners || !isBlunt(face.group);
         for (const Label p : face.points)
             if (p >= firstVertex) seen.push_back(p);
+    }
     std::ranges::sort(seen);
     keptVertices_.clear();
     for (std::size_t i = 0; i < seen.size();) {
         std::size_t j = i;
         while (j < seen.size() && seen[j] == seen[i])
             ++j;
-        const bool isCorner = input.isCorner[index(seen[i] - firstVertex)] != 0;
+        const bool isCorner = keepsCorners && input.isCorner[index(seen[i] - firstVertex)] != 0;
         if (j - i != 2 || isCorner) keptVertices_.push_back(seen[i]); // more than two faces meet
         i = j;
     }

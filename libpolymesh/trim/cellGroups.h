@@ -49,7 +49,9 @@ private:
 
 /// What the groups of a cell are made from.
 struct CellInput {
-    static constexpr std::uint8_t lastLevel = 4;
+    static constexpr std::uint8_t bluntLevel = 0; // all is joined, also across features
+    static constexpr std::uint8_t firstLevel = 1; // features are kept: where most cells begin
+    static constexpr std::uint8_t lastLevel = 5;  // nothing is joined
 
     const Probe& probe;
     const CuttingSurface& cutter;
@@ -148,6 +150,8 @@ private:
     Label groupOf(Label piece) { return groups_.lowest(piece); }
 
     std::uint8_t& levelOf(Label piece) { return (*levels_)[index(firstPiece_ + piece)]; }
+
+    bool isBlunt(Label piece) { return levelOf(piece) == CellInput::bluntLevel; }
 
     void listJoins(const CellInput& input);
     void joinPieces(const CellInput& input);

@@ -4,6 +4,7 @@
 
 #include "libpolymesh/base/error.h"
 #include "libpolymesh/base/parallel.h"
+#include "libpolymesh/surface/boxTree.h"
 #include "libpolymesh/surface/check.h"
 #include "libpolymesh/surface/triangleBoxes.h"
 #include "libpolymesh/trim/coincident.h"
@@ -57,32 +58,52 @@ Vec3 middleOf(const Probe& probe, Label c) {
     return sum / count;
 }
 
-/// By which factor the deviation differs in a probed cell: the last place that holds it counts.
-double factorOf(const Probe& probe, Label c, std::span<const FidelityPlace> places) {
-    if (places.empty()) return 1;
-    const Vec3 middle = middleOf(probe, c);
-    for (std::size_t i = places.size(); i-- > 0;)
-        if (places[i].box.contains(middle)) return places[i].factor;
-    return 1;
+/// The last place that holds the middle of each probed cell, -1 where there is none.
+std::vector<Label> placesOfCells(const Probe& probe, std::span<const FidelityPlace> places) {
+    std::vector<Label> placeOf(index(probe.cellCount()), -1);
+    if (places.empty()) return placeOf;
+    std::vector<Box> boxes;
+    for (const FidelityPlace& place : places)
+        boxes.push_back(place.box);
+    const BoxTree tree(boxes);
+    parallelFor(probe.cellCount(), [&](Label c) {
+        const Vec3 middle = middleOf(probe, c);
+        Label& last = placeOf[index(c)];
+        tree.forEachNear({middle, middle}, [&](Label i) {
+            if (boxes[index(i)].contains(middle)) last = std::max(last, i);
+        });
+    });
+    return placeOf;
 }
 
 /// How far what is kept of the surface may be from it in each probed cell [m].
-std::vector<double> tolerancesOf(const Probe& probe,
-                                 std::span<const double> cellSizes,
+std::vector<double> tolerancesOf(std::span<const double> cellSizes,
                                  double deviation,
-                                 std::span<const FidelityPlace> places) {
+                                 std::span<const FidelityPlace> places,
+                                 std::span<const Label> placeOf) {
     std::vector<double> tolerances(cellSizes.size());
-    parallelFor(probe.cellCount(), [&](Label c) {
-        tolerances[index(c)] = deviation * cellSizes[index(c)] * factorOf(probe, c, places);
-    });
+    for (std::size_t c = 0; c < tolerances.size(); ++c) {
+        const double factor = placeOf[c] < 0 ? 1 : places[index(placeOf[c])].factor;
+        tolerances[c] = deviation * cellSizes[c] * factor;
+    }
     return tolerances;
 }
 
-Label countRemade(const Probe& probe, std::span<const FidelityPlace> places) {
-    if (places.empty()) return 0;
-    return parallelSum(probe.cellCount(), Label{0}, [&](Label c) {
-        return factorOf(probe, c, places) != 1 ? Label{1} : Label{0};
-    });
+/// Marks the cells in which features are not kept.
+std::vector<std::uint8_t> bluntCells(std::span<const FidelityPlace> places,
+                                     std::span<const Label> placeOf) {
+    std::vector<std::uint8_t> isBlunt;
+    if (std::ranges::none_of(places, &FidelityPlace::isBlunt)) return isBlunt;
+    for (const Label place : placeOf)
+        isBlunt.push_back(place >= 0 && places[index(place)].isBlunt);
+    return isBlunt;
+}
+
+Label countRemade(std::span<const FidelityPlace> places, std::span<const Label> placeOf) {
+    const auto isRemade = [&](Label place) {
+        return place >= 0 && (places[index(place)].factor != 1 || places[index(place)].isBlunt);
+    };
+    return toLabel(static_cast<std::size_t>(std::ranges::count_if(placeOf, isRemade)));
 }
 
 /// Throws where the surface intersects itself: what has failed then is its fault.
@@ -162,13 +183,15 @@ Pieces makePieces(PolyMesh& mesh,
 
     options.onStage("simplify");
     const std::vector<double> cellSizes = probedCellSizes(probe);
+    const std::vector<Label> placeOf = placesOfCells(probe, places);
     const std::vector<double> tolerances =
-        tolerancesOf(probe, cellSizes, options.deviation, places);
+        tolerancesOf(cellSizes, options.deviation, places, placeOf);
     const Fidelity fidelity{options.deviation <= 0,
                             tolerances,
                             edgeSharpness(surface, cutter.edges, features),
                             features.isCorner,
-                            options.featureAngle};
+                            options.featureAngle,
+                            bluntCells(places, placeOf)};
     const BoundaryPolygons boundary =
         simplify({probe, cutter, arrangement}, positions, pieces, fidelity, loops);
     const TrimmedCells cells = divideOrRefuse(surface, probe, positions, loops, boundary);
@@ -192,7 +215,7 @@ Pieces makePieces(PolyMesh& mesh,
     return {
         buildEditPart(found, features, mergeCoincident(probe, cutter, arrangement, joined)),
         loops.holeCount,
-        countRemade(probe, places),
+        countRemade(places, placeOf),
         mayTouch(probe, cutter, arrangement),
         isPinched(cutter.edges),
     };

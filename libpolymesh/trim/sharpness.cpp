@@ -13,7 +13,7 @@ namespace polymesh {
 namespace {
 
 constexpr double flat = -1;
-constexpr double border = featureSharpness + 1;
+constexpr double border = borderSharpness + 1;
 
 /// The longest side of a triangle without area; -1 for one with an area.
 int foldedSide(const TriSurface& surface, Label t) {

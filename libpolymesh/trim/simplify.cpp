@@ -5,6 +5,7 @@
 #include "libpolymesh/base/parallel.h"
 #include "libpolymesh/trim/cellGroups.h"
 #include "libpolymesh/trim/chains.h"
+#include "libpolymesh/trim/sharpness.h"
 
 #include <algorithm>
 #include <array>
@@ -20,10 +21,11 @@ std::array<JoinLevel, CellInput::lastLevel + 1> joinLevels(const Fidelity& fidel
     constexpr JoinLevel everything{-2, any};
     if (fidelity.isExact) {
         constexpr JoinLevel flat{-0.5, any};
-        return {flat, flat, flat, flat, everything};
+        return {flat, flat, flat, flat, flat, everything};
     }
     const double sharp = fidelity.featureAngle;
-    return {JoinLevel{sharp, any},
+    return {JoinLevel{borderSharpness, any},
+            JoinLevel{sharp, any},
             JoinLevel{sharp, 0.7},
             JoinLevel{sharp, 0.35},
             JoinLevel{sharp, 0.12},
@@ -51,8 +53,14 @@ public:
           tolerances_(fidelity.tolerances),
           loops_(loops),
           kept_(cut.arrangement, loops.isNeeded),
-          levels_(pieces.triangle.size(), 0),
-          isDirty_(index(cut.probe.cellCount()), 1) {}
+          levels_(pieces.triangle.size(), CellInput::firstLevel),
+          isDirty_(index(cut.probe.cellCount()), 1) {
+        for (std::size_t c = 0; c < fidelity.isBlunt.size(); ++c)
+            if (fidelity.isBlunt[c] != 0)
+                std::fill(levels_.begin() + pieces.offsets[c],
+                          levels_.begin() + pieces.offsets[c + 1],
+                          CellInput::bluntLevel);
+    }
 
     BoundaryPolygons run() {
         parallelFor(cellCount(), [&](Label c) { raise(c); });

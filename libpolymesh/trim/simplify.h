@@ -5,6 +5,7 @@
 #include "libpolymesh/trim/loops.h"
 #include "libpolymesh/trim/pieces.h"
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -19,6 +20,9 @@ struct Fidelity {
     std::vector<double> sharpness;
     std::vector<char> isCorner; // per surface point; corners are kept always
     double featureAngle = 0;    // [rad] sharper edges are kept always
+    /// One per probed cell, or none: 1 where corners and sharp edges are not kept for their own
+    /// sake.
+    std::vector<std::uint8_t> isBlunt{};
 };
 
 /// The surface in each cell as polygons: the boundary faces to be.

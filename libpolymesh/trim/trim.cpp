@@ -161,16 +161,17 @@ public:
         : mesh_(mesh), cut_(cut), surface_(surface), options_(options) {}
 
     /// Makes pieces. Where repairs leave bad cells, these are made again with more and less of the
-    /// surface round them: they come out otherwise, and the rest as before. At last repairs get
-    /// more time. Requires: no node is settled.
+    /// surface round them, also without its features: they come out otherwise, and the rest as
+    /// before. At last repairs get more time. Requires: no node is settled.
     CleanPieces best() {
         if (options_.deviation <= 0 || !options_.mendsCells) return make({}, workOfOnlyTry);
         CleanPieces best = make({}, workOfEachTry);
         if (best.summary.badCells == 0) return best;
         options_.onStage("try again");
         options_.onStage = [](const std::string&) {};
-        tryOtherDeviations(best);
-        if (isWorthATry(best)) takeIfBetter(places_, workOfOnlyTry, best);
+        tryOtherFidelities(best);
+        if (isFew(best.summary.badCells))
+            takeIfBetter(best.summary.remadePlaces, workOfLastTry, best);
         return best;
     }
 
@@ -178,9 +179,26 @@ public:
     CleanPieces only(EditPart& openPart) { return make({}, workOfOnlyTry, &openPart); }
 
 private:
-    static constexpr std::int64_t workOfOnlyTry = 80000; // on repairs, in units of WorkBudget
-    static constexpr std::int64_t workOfEachTry = 20000;
-    static constexpr std::int64_t workOfAllTries = 90000;
+    // On repairs, in units of WorkBudget.
+    static constexpr std::int64_t workOfOnlyTry = 80000;
+    static constexpr std::int64_t workOfEachTry = 10000;
+    static constexpr std::int64_t workOfLastTry = 40000;
+    static constexpr std::int64_t workOfAllTries = 120000;
+
+    /// What is tried in a bad place.
+    struct OtherFidelity {
+        double factor = 1;
+        bool isBlunt = false;
+    };
+
+    static constexpr std::array<OtherFidelity, 8> otherFidelities{{{0.3, false},
+                                                                   {2, false},
+                                                                   {4, true},
+                                                                   {40, true},
+                                                                   {0.1, false},
+                                                                   {4, false},
+                                                                   {0.6, false},
+                                                                   {1.4, false}}};
 
     CleanPieces make(std::span<const FidelityPlace> places,
                      std::int64_t thoroughWork,
@@ -200,7 +218,7 @@ private:
         return clean;
     }
 
-    /// Makes pieces with these places and keeps both where fewer cells are bad. False where it is
+    /// Makes pieces with these places and keeps them where fewer cells are bad. False where it is
     /// all the same: the surface has no more and no less to give there.
     bool
     takeIfBetter(std::vector<FidelityPlace> places, std::int64_t thoroughWork, CleanPieces& best) {
@@ -209,26 +227,26 @@ private:
             work_ += other.work;
             if (other.summary.badCells >= best.summary.badCells) return other.work != best.work;
             best = std::move(other);
-            places_ = std::move(places);
         } catch (const WorkError&) {
             // What there is has no such fault.
         }
         return true;
     }
 
-    static bool isWorthATry(const CleanPieces& best) {
-        constexpr Label mostBadCells = 20; // more: the mesh is too coarse for the surface
-        return best.summary.badCells > 0 && best.summary.badCells <= mostBadCells;
+    /// More: features are finer than the cells there, so that no deviation helps that keeps them.
+    static bool isFew(Label badCells) {
+        constexpr Label few = 20;
+        return badCells > 0 && badCells <= few;
     }
 
-    void tryOtherDeviations(CleanPieces& best) {
-        constexpr std::array<double, 6> factors{0.3, 2, 0.1, 4, 0.6, 1.4};
+    void tryOtherFidelities(CleanPieces& best) {
         int sames = 0;
-        for (const double factor : factors) {
-            if (!isWorthATry(best) || work_ > workOfAllTries || sames == 2) return;
-            std::vector<FidelityPlace> places = places_;
+        for (const auto& [factor, isBlunt] : otherFidelities) {
+            if (best.summary.badCells == 0 || work_ > workOfAllTries) return;
+            if (!isBlunt && (sames == 2 || !isFew(best.summary.badCells))) continue;
+            std::vector<FidelityPlace> places = best.summary.remadePlaces;
             for (const Box& box : findBadPlaces(best.part, false))
-                places.push_back({box, factor});
+                places.push_back({box, factor, isBlunt});
             if (!takeIfBetter(std::move(places), workOfEachTry, best)) ++sames;
         }
     }
@@ -237,8 +255,7 @@ private:
     MeshCut& cut_;
     const FeaturedSurface& surface_;
     TrimOptions options_;
-    std::vector<FidelityPlace> places_; // of the best pieces
-    std::int64_t work_ = 0;             // on all tries
+    std::int64_t work_ = 0; // on all tries
 };
 
 /// Trims a mesh whose nodes have been adjusted.

@@ -30,8 +30,8 @@ enum class Keep { inside, outside };
 struct TrimOptions {
     Keep keep = Keep::inside;
     /// Largest distance between the surface and the faces that stand for it inside a cell, as a
-    /// fraction of the cell size; 0: exact, every triangle's part is kept. Round a few cells that
-    /// would be bad up to four times that, or less, whichever makes them good.
+    /// fraction of the cell size; 0: exact, every triangle's part is kept. Round cells that would
+    /// be bad more or less than that, whichever makes them good: see FidelityPlace.
     double deviation = 0.1;
     double featureAngle = 0.5236; // [rad] sharper edges of the surface are edges of the mesh
     double minEdge = 0.05;        // shorter edges are collapsed, fraction of the cell size; 0: off
@@ -46,10 +46,11 @@ struct TrimOptions {
     std::function<void(const std::string&)> onStage = [](const std::string&) {};
 };
 
-/// A place where the deviation is another one than elsewhere.
+/// A place where the deviation is another one than elsewhere, because cells came out bad.
 struct FidelityPlace {
-    Box box;           // holds the middles of the cells meant [m]
-    double factor = 1; // times the deviation
+    Box box;              // holds the middles of the cells meant [m]
+    double factor = 1;    // times the deviation
+    bool isBlunt = false; // features of the surface are not kept, but borders of regions
 };
 
 /// What the trim did.

@@ -181,9 +181,9 @@ public:
 private:
     // On repairs, in units of WorkBudget.
     static constexpr std::int64_t workOfOnlyTry = 80000;
-    static constexpr std::int64_t workOfEachTry = 10000;
-    static constexpr std::int64_t workOfLastTry = 40000;
-    static constexpr std::int64_t workOfAllTries = 120000;
+    static constexpr std::int64_t workOfEachTry = 20000;
+    static constexpr std::int64_t workOfLastTry = 60000;
+    static constexpr std::int64_t workOfAllTries = 160000;
 
     /// What is tried in a bad place.
     struct OtherFidelity {

@@ -61,13 +61,11 @@ void reportSplit(ToolRun& tool,
         counts.foldedCells,
         counts.mends);
     if (!counts.remaining.empty())
-        fmt::print(stderr,
-                   "classifyCells: warning: {} cells are left as they were: no way to divide them "
-                   "was found; {}\n",
-                   counts.remaining.size(),
-                   hasTetgen() ? "finer cells there help, or a larger -deviation of trimSurface"
-                               : "this program was built without TetGen, which fills such cells "
-                                 "with tetrahedra (-DPOLYMESH_TETGEN=ON)");
+        tool.warn("{} cells are left as they were: no way to divide them was found; {}",
+                  counts.remaining.size(),
+                  hasTetgen() ? "finer cells there help, or a larger -deviation of trimSurface"
+                              : "this program was built without TetGen, which fills such cells "
+                                "with tetrahedra (-DPOLYMESH_TETGEN=ON)");
     tool.report["splitCells"] = counts.splitCells;
     tool.report["newCells"] = counts.newCells;
     tool.report["newPoints"] = counts.newPoints;

@@ -69,7 +69,8 @@ ToolRun prepare(const Tool& tool, Settings settings) {
     const bool quiet = settings.isOn("quiet");
     const bool progress = !quiet && !settings.isOn("noProgress") && isatty(STDERR_FILENO) == 1;
     fs::path dir = existingCase(settings);
-    ToolRun toolRun{.settings = std::move(settings),
+    ToolRun toolRun{.name = tool.name,
+                    .settings = std::move(settings),
                     .caseDir = std::move(dir),
                     .dictionary = {},
                     .clock = StageClock(progress ? tool.name : ""),

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -23,6 +24,7 @@ enum class ExitCode : std::uint8_t { success = 0, failure = 1, usage = 2 };
 
 /// What a running tool is given, and what it leaves behind.
 struct ToolRun {
+    std::string name; // of the tool
     Settings settings;
     std::filesystem::path caseDir;
     /// The dictionary that was read; empty when there is none.
@@ -50,6 +52,14 @@ struct ToolRun {
     template<class... Args>
     void say(fmt::format_string<Args...> message, Args&&... args) const {
         if (!quiet) fmt::print("{}\n", fmt::format(message, std::forward<Args>(args)...));
+    }
+
+    /// Prints one line on stderr, also with -quiet.
+    template<class... Args>
+    void warn(fmt::format_string<Args...> message, Args&&... args) const {
+        std::fflush(stdout); // lines come in the order in which they were said
+        fmt::print(
+            stderr, "{}: warning: {}\n", name, fmt::format(message, std::forward<Args>(args)...));
     }
 };
 

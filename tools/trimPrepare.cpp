@@ -12,20 +12,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace polymesh::tools {
 
 namespace {
 
 constexpr Label placesShown = 3;
-
-template<class... Args>
-void warn(fmt::format_string<Args...> message, Args&&... args) {
-    std::fflush(stdout);
-    fmt::print(
-        stderr, "trimSurface: warning: {}\n", fmt::format(message, std::forward<Args>(args)...));
-}
 
 std::string text(const Vec3& p) {
     return fmt::format("({:.6g} {:.6g} {:.6g})", p.x, p.y, p.z);
@@ -79,13 +71,13 @@ void mendSelfIntersections(ToolRun& tool, const std::string& file, TriSurface& s
         places += (places.empty() ? "" : ", ") + text(place);
     }
     const std::string done = uniteParts(tool, surface);
-    warn("{}: the surface intersects itself: {} pairs of triangles, near {}; {}",
-         file,
-         found.count,
-         places,
-         done.empty() ? "they could not be united, so that cells at these places, and their "
-                        "volume, can be wrong; better unite the parts that overlap"
-                      : done);
+    tool.warn("{}: the surface intersects itself: {} pairs of triangles, near {}; {}",
+              file,
+              found.count,
+              places,
+              done.empty() ? "they could not be united, so that cells at these places, and their "
+                             "volume, can be wrong; better unite the parts that overlap"
+                           : done);
 }
 
 /// What is unusual but does no harm.
@@ -158,7 +150,7 @@ void prepareSurface(ToolRun& tool, const std::string& file, TriSurface& surface)
     SurfaceDefects defects = checkSurface(surface);
     if (defects.openEdges.count > 0)
         if (const std::string done = closeCracks(tool, surface); !done.empty()) {
-            warn("{}: {}", file, done);
+            tool.warn("{}: {}", file, done);
             defects = checkSurface(surface);
         }
     require(defects.openEdges.count == 0,
@@ -195,11 +187,12 @@ bool checkPlace(ToolRun& tool,
             text(domain));
     const bool isWithin = domain.contains(part.min) && domain.contains(part.max);
     if (!isWithin)
-        warn("{}: the surface is partly outside the mesh: it spans {}, the mesh {} [m]; where it "
-             "leaves the mesh, the mesh's own patches close the domain",
-             file,
-             text(part),
-             text(domain));
+        tool.warn(
+            "{}: the surface is partly outside the mesh: it spans {}, the mesh {} [m]; where it "
+            "leaves the mesh, the mesh's own patches close the domain",
+            file,
+            text(part),
+            text(domain));
     return isWithin;
 }
 

@@ -37,6 +37,20 @@ void reportCells(ToolRun& tool, const TrimRun& run) {
     tool.report["holedFaces"] = s.holedFaces;
 }
 
+/// Where the mesh lacks features of the surface, so that it is not what the user asked for.
+void warnOfLostFeatures(const ToolRun& tool, const std::vector<FidelityPlace>& places) {
+    const auto blunt = std::ranges::count_if(places, &FidelityPlace::isBlunt);
+    if (blunt == 0) return;
+    const Vec3 p = std::ranges::find_if(places, &FidelityPlace::isBlunt)->box.centre();
+    tool.warn("features of the surface are left out in {} places, where cells are too large for "
+              "them, one at ({:.6g} {:.6g} {:.6g}): smaller cells there keep them; with -concave "
+              "keep they stay, in cells that checkMesh may fail",
+              blunt,
+              p.x,
+              p.y,
+              p.z);
+}
+
 /// Which cells got another deviation, because with the one asked for some came out bad.
 void reportRemade(ToolRun& tool, const TrimSummary& summary) {
     tool.report["remadeCells"] = summary.remadeCells;
@@ -52,14 +66,14 @@ void reportRemade(ToolRun& tool, const TrimSummary& summary) {
     const FidelityPlace& last = summary.remadePlaces.back();
     const Vec3 middle = last.box.centre();
     tool.say("remade     {} cells with another deviation since some came out bad, one of {} places "
-             "at ({:.6g} {:.6g} {:.6g}), {:g} times the deviation{}",
+             "at ({:.6g} {:.6g} {:.6g}), {:g} times the deviation",
              summary.remadeCells,
              summary.remadePlaces.size(),
              middle.x,
              middle.y,
              middle.z,
-             last.factor,
-             last.isBlunt ? ", features not kept" : "");
+             last.factor);
+    warnOfLostFeatures(tool, summary.remadePlaces);
 }
 
 /// The first of the patches that the surface's regions have become.

@@ -105,9 +105,7 @@ Trimmed trimValid(ToolRun& tool, PolyMesh mesh, const TriSurface& surface, TrimO
     } catch (const WorkError& error) {
         again = readAgain(tool);
         if (!hasCleanUp) throw;
-        fmt::print(stderr,
-                   "trimSurface: warning: {}; the mesh is made without clean-up instead\n",
-                   error.what());
+        tool.warn("{}; the mesh is made without clean-up instead", error.what());
     }
     how.mendsCells = false;
     how.minEdge = how.minVolume = 0;

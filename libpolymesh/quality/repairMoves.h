@@ -18,7 +18,7 @@ enum class Remedy : std::uint8_t {
     merge,       // the cell `from` into the cell `to`
     collapse,    // the point `from` onto the point `to`
     collapseAll, // the edges of the cell `from` below the limit number `to`
-    splitFace,   // the face `face` of the cell `cell` from the point `from` to the point `to`,
+    splitFace,   // the face `face` of the cell `cell` from the point `from` to the point `to`
     detach,      // the same where the cell has that edge already, so that a part comes off
     slide,       // the point `from` to `position`
     unite,       // faces of the cell `from` that turn by less than the limit number `to`

@@ -136,6 +136,8 @@ private:
     struct DroppedPoint {
         Label group;
         Label point;
+
+        // NOLINTNEXTLINE(modernize-use-nullptr): what the compiler makes of it compares with 0
         auto operator<=>(const DroppedPoint&) const = default;
     };
 

@@ -6,6 +6,7 @@
 #include "libpolymesh/mesh/validate.h"
 #include "tests/support/meshes.h"
 #include "tests/support/surfaces.h"
+#include "tests/support/twistedStar.h"
 #include "tests/tools/program.h"
 
 #include <gtest/gtest.h>
@@ -281,6 +282,19 @@ TEST(TrimSurface, anEmptyResultIsRefused) {
     EXPECT_EQ(result.status, 2);
     EXPECT_TRUE(contains(result.err, "trimSurface: nothing is left")) << result.err;
     EXPECT_EQ(box.meshBytes(), before);
+}
+
+TEST(TrimSurface, featuresLeftOutForTheSakeOfCellsAreWarnedOf) {
+    const TrimCase thread(test::TwistedStar{3, 20, 0.3}.surface());
+    EXPECT_EQ(thread.run("blockInit -surface part.obj -cellSize 0.4 -quiet").status, 0);
+    const ProgramResult result = thread.trim("-quiet");
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_TRUE(result.err.starts_with("trimSurface: warning: features of the surface are left "))
+        << result.err;
+    EXPECT_EQ(std::ranges::count(result.err, '\n'), 1) << result.err;
+    EXPECT_EQ(thread.report()["badCells"], 0);
+    EXPECT_EQ(thread.run("blockInit -surface part.obj -cellSize 0.4 -quiet").status, 0);
+    EXPECT_EQ(thread.trim("-quiet -concave keep").err, "");
 }
 
 TEST(TrimSurface, partsThatOverlapAreUnitedAndSaidSo) {

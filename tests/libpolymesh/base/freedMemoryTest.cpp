@@ -30,6 +30,7 @@ TEST(FreedMemory, goesBackToTheSystemEvenBelowWhatIsInUse) {
 #endif
     constexpr std::size_t blockSize = 16384; // too small for a mapping of its own
     std::vector<std::unique_ptr<std::vector<char>>> blocks;
+    blocks.reserve(4000);
     for (int i = 0; i < 4000; ++i)
         blocks.push_back(std::make_unique<std::vector<char>>(blockSize, 'x'));
     const std::unique_ptr<std::vector<char>> last = std::move(blocks.back());

@@ -42,13 +42,14 @@ void warnOfLostFeatures(const ToolRun& tool, const std::vector<FidelityPlace>& p
     const auto blunt = std::ranges::count_if(places, &FidelityPlace::isBlunt);
     if (blunt == 0) return;
     const Vec3 p = std::ranges::find_if(places, &FidelityPlace::isBlunt)->box.centre();
-    tool.warn("features of the surface are left out in {} places, where cells are too large for "
-              "them, one at ({:.6g} {:.6g} {:.6g}): smaller cells there keep them; with -concave "
-              "keep they stay, in cells that checkMesh may fail",
-              blunt,
-              p.x,
-              p.y,
-              p.z);
+    tool.warn(
+        "features of the surface are left out in up to {} places, where cells are too large "
+        "for them, one at ({:.6g} {:.6g} {:.6g}): smaller cells there keep them; with -concave "
+        "keep they stay, in cells that checkMesh may fail",
+        blunt,
+        p.x,
+        p.y,
+        p.z);
 }
 
 /// Which cells got another deviation, because with the one asked for some came out bad.

@@ -18,8 +18,8 @@ struct Fidelity {
     std::span<const double> tolerances;
     /// Per surface edge, see edgeSharpness.
     std::vector<double> sharpness;
-    std::vector<char> isCorner; // per surface point; corners are kept always
-    double featureAngle = 0;    // [rad] sharper edges are kept always
+    std::vector<char> isCorner; // per surface point; corners are kept, but for blunt cells
+    double featureAngle = 0;    // [rad] sharper edges are kept, likewise
     /// One per probed cell, or none: 1 where corners and sharp edges are not kept for their own
     /// sake.
     std::vector<std::uint8_t> isBlunt{};
